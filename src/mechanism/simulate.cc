@@ -14,6 +14,7 @@
 #include "mechanism/dynamic_motion/dynamic_motion.h"
 #include "mechanism/forces/force_model.h"
 #include "mechanism/joints/joint_types.h"
+#include "mechanism/reactions/body_motion.h"
 #include "mechanism/reactions/other_sharings.h"
 #include "mechanism/reactions/unshared_strains.h"
 
@@ -108,6 +109,7 @@ Motion simulate(const MechanismDefinition& definition,
   Motion motion = is_dynamic ? integrate_motion(definition, settings)
                              : run_driven(definition, settings);
   motion.left_free = std::move(free);
+  refer_to_given_frames(definition, motion);
   require_direction(definition, frame.length, motion);
   motion.unshared = unshared_strains(definition, motion, frame.length);
   forget_negligible(frame.length, motion);

@@ -161,7 +161,7 @@ gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
     # Each climbs to its own degree.
     near("driven lever, peak", found.peak, whole.peak, 3e-3)
     near("driven lever, deflection", found.part["deflection_mm"], whole.part["deflection_mm"], 1e-4)
-    if "bore_A takes a moment, as a weld" not in found.text:
+    if "bore_A counts as what alone holds the part" not in found.text:
         faults.append("no word on the pin that holds the lever")
 
 
@@ -238,6 +238,21 @@ def turning_bar(folder):
          back**2 / (4 * drawn), 0.01)
 
 
+def held_where_its_reaction_is_given(folder):
+    """The held end's section carries F/A, whether the file has its reaction or not."""
+    bar = hex_mesh.block((10, 2, 2),
+                         lambda x, y, z: (200 * x, 10 * y - 5, 10 * z - 5))
+    hex_mesh.write(folder / "bar.msh", bar)
+    held = 'fixed = { x0 = ["x", "y", "z"] }\n'
+    for faces, columns, row in (('push = "x1"', "push.force_x [N]", "3000"),
+                                ('push = "x1", root = "x0"',
+                                 "push.force_x [N],root.force_x [N]", "3000,-3000")):
+        found = check(folder, "bar.msh", f"faces = {{ {faces} }}\n{held}",
+                      f"time [s],{columns}\n0,{row}\n", exits=support.JUDGED)
+        near(f"section of the held end, {faces}",
+             found.part["support_section"]["nominal_stress_MPa"], 30.0, 1e-6)
+
+
 def struck_bar(folder):
     """A clamped bar of 200 x 10 x 10 mm, pulled by 1 kN from one instant on: waves
     double the stress and the stretch (d'Alembert), whether it is the first instant
@@ -308,6 +323,7 @@ def main():
         refusals(folder)
         turning_bar(folder)
         struck_bar(folder)
+        held_where_its_reaction_is_given(folder)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

@@ -42,40 +42,16 @@ std::string remedy(const mechanism::OtherSharings& sharings, bool is_elastic) {
         fmt::join(sharings.unknown(), ", "),
         is_elastic ? "" : " take links = \"elastic\",");
   }
-  if (!sharings.stiff().empty()) {
-    return fmt::format(
-        "{} are given less compliance than rigid links have as bars, so that "
-        "these count as elastic too: take links = \"elastic\"",
-        fmt::join(sharings.stiff(), ", "));
-  }
-  return fmt::format("within twice and half the compliance given to {}",
-                     fmt::join(sharings.given(), ", "));
+  return fmt::format("within twice and half the compliance given to {}{}",
+                     fmt::join(sharings.given(), ", "),
+                     is_elastic
+                         ? ""
+                         : ", on rigid links and on elastic ones, of which "
+                           "links = \"elastic\" takes these alone");
 }
 
-/// What each body's part gives way along its largest distance of joints d as a
-/// bar of its volume V, d²/EV [m/N].
-std::vector<double> bars_of(const LoadedScene& loaded) {
-  const auto& definition = loaded.scene.mechanism;
-  std::vector<double> bars(definition.bodies.size(), 0.0);
-  for (const auto& part : loaded.parts) {
-    const auto body = loaded.body_of(part.definition.name);
-    if (body == mechanism::kGround) continue;
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& joint : definition.joints) {
-      if (joint.body_a == body) points.push_back(joint.frame_a.p_LJ);
-      if (joint.body_b == body) points.push_back(joint.frame_b.p_LJ);
-    }
-    double largest = 0.0;
-    for (const auto& a : points) {
-      for (const auto& b : points) {
-        largest = std::max(largest, (a - b).squaredNorm());
-      }
-    }
-    const auto& material = part.definition.material;
-    bars[static_cast<std::size_t>(body)] =
-        largest * material.density / (material.youngs_modulus * part.mass.mass);
-  }
-  return bars;
+bool is_elastic(const LoadedScene& loaded) {
+  return loaded.scene.simulation.links == mechanism::LinkStiffness::kElastic;
 }
 
 }  // namespace
@@ -85,11 +61,11 @@ Sharings::Elastic::Elastic(const LoadedScene& loaded,
     : definition(with_link_compliances(loaded)), sharings(definition, motion) {}
 
 Sharings::Sharings(const LoadedScene& loaded, const mechanism::Motion& motion)
-    : loaded_(loaded),
-      as_given_(loaded.scene.mechanism, motion, bars_of(loaded)) {
-  if (!as_given_.stiff().empty() || !motion.unshared.spun.empty()) {
-    elastic_.emplace(loaded, motion);
-  }
+    : loaded_(loaded), as_given_(loaded.scene.mechanism, motion) {
+  // Not given, joints may have any compliance: all that links could add.
+  const bool counts =
+      !as_given_.given().empty() || !motion.unshared.spun.empty();
+  if (counts && !is_elastic(loaded)) elastic_.emplace(loaded, motion);
 }
 
 std::optional<assessment::OpenSharing> Sharings::of_part(
@@ -100,8 +76,7 @@ std::optional<assessment::OpenSharing> Sharings::of_part(
       .checked = checked,
       .others = {},
       .is_complete = true,
-      .remedy = remedy(as_given_, loaded_.scene.simulation.links ==
-                                      mechanism::LinkStiffness::kElastic)};
+      .remedy = remedy(as_given_, is_elastic(loaded_))};
   const auto add = [&](const mechanism::OtherSharings& sharings) {
     result.is_complete &= sharings.is_complete();
     for (std::size_t i = 0; i < sharings.size(); ++i) {

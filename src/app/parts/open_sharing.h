@@ -9,8 +9,8 @@
 namespace clevis::app {
 
 /// How joints of other compliance share the reactions that equilibrium leaves
-/// open. Where links that count as rigid yield more than their joints do, or
-/// spin stretches them between their joints, also as elastic links share them.
+/// open. Where the compliance of joints is given, or spin stretches links
+/// between their joints, also as elastic links share them that count as rigid.
 class Sharings {
  public:
   /// @param motion  of the scene's mechanism, without instants at change

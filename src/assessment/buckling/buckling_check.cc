@@ -18,6 +18,7 @@
 #include "base/values/stopwatch.h"
 #include "elasticity/buckling/buckling.h"
 #include "loads/history/motion_instants.h"
+#include "loads/holds/holding_groups.h"
 #include "part/buckling_limit.h"
 
 namespace clevis::assessment {
@@ -355,6 +356,37 @@ void lower_for_fluids(const PartJob& job, BucklingResult& result) {
       "need a quarter less, which is in the band";
 }
 
+/// Of a history without supports, pins or a seat that clamps nothing tells what
+/// holds the part: clamped at one end alone it buckles under a quarter of what
+/// it does between two.
+void lower_for_unknown_hold(const PartJob& job, BucklingResult& result) {
+  constexpr double kOneEnd = 0.25;
+  const bool is_unknown =
+      std::ranges::any_of(job.load_sets, [&](const LoadSet& set) {
+        const loads::LoadHistory& history = set.history;
+        return !history.hold && set.fixed.empty() && set.foundations.empty() &&
+               loads::holding_groups(history).front().size() < 2 &&
+               std::ranges::any_of(history.instants, [&](const auto& instant) {
+                 return !instant.is_case && instant.label == result.label;
+               });
+      });
+  if (!is_unknown) return;
+  const double low = kOneEnd * result.band_low;
+  if (result.is_lower_bound()) {
+    if (low < part::wanted_buckling_factor(job.part.limits)) {
+      result.band_low = low;
+    } else {
+      result.factor = result.band_low = result.band_high = low;
+    }
+  } else {
+    result.band_low = low;
+  }
+  if (!result.remark.empty()) result.remark += "; ";
+  result.remark +=
+      "nothing tells what holds the part: clamped at one end alone it buckles "
+      "under a quarter, which is in the band";
+}
+
 double largest_of(const std::vector<Swing>& swings) {
   double largest = 1.0;
   for (const Swing& swing : swings) {
@@ -406,7 +438,10 @@ BucklingCheck check_buckling(const PartJob& job,
     check.result.band_low = std::min(check.result.band_low, of_others.band_low);
   }
   if (check.shape) lower_for_fluids(job, check.result);
-  if (check.result.factor) lower_for_columns(job, check.result);
+  if (check.result.factor) {
+    lower_for_columns(job, check.result);
+    lower_for_unknown_hold(job, check.result);
+  }
   const bool is_held_in_plane =
       std::ranges::any_of(job.load_sets, [&](const LoadSet& set) {
         return model.supports(set) != set.fixed;

@@ -36,7 +36,7 @@ std::vector<HoldingGroups> pairs_of(const HoldingGroups& groups) {
 HoldingGroups bearing_groups(const LoadHistory& history) {
   HoldingGroups groups;
   for (const Seat& seat : history.seats) {
-    if (seat.kind == SeatKind::kBearing &&
+    if (seat.kind == SeatKind::kBearing && !is_force_seat(seat) &&
         std::ranges::find(groups, seat.group) == groups.end()) {
       groups.push_back(seat.group);
     }

@@ -27,7 +27,7 @@ std::string group_of(const std::string& holder);
 /// the mechanism is free to move, by each two groups that hold at all, or the
 /// only one. A seat that only carries a force, or a body that nothing holds, is
 /// none. Empty groups: the part is free. Likewise the pins that hold it in a
-/// case; where nothing is known, each two bearing seats.
+/// case; where nothing is known, each two bearing seats that are no force's.
 /// @return at least one.
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history);
 

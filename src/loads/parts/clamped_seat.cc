@@ -75,22 +75,42 @@ std::vector<std::size_t> seats_of_groups(const LoadHistory& history) {
   return found;
 }
 
+/// Whether a bore takes loads of a face, too, as that of a drive.
+bool is_driven(const LoadHistory& history, const std::string& bore) {
+  return std::ranges::any_of(history.seats, [&bore](const Seat& seat) {
+    return seat.group == bore && seat.kind != SeatKind::kBearing;
+  });
+}
+
 std::optional<std::size_t> clamped_seat(
     const std::vector<GroupGeometry>& groups, double size,
     const LoadHistory& history) {
-  constexpr double kHolds = 0.1, kFriction = 0.03;  // of forces × size
+  // Of forces × size: moments at least, at most those of friction. A face that
+  // takes one beside fewer than two pins has nothing else to hold it.
+  constexpr double kHolds = 0.1, kFriction = 0.03, kRoundOff = 1e-6;
   const std::vector<std::size_t> seats = seats_of_groups(history);
   double force = 0.0;
   for (const std::size_t s : seats) {
     force = std::max(force, largest_force(history, history.seats[s].group));
   }
+  const bool has_pins =
+      std::ranges::count(seats, SeatKind::kBearing, [&history](std::size_t s) {
+        return history.seats[s].kind;
+      }) > 1;
   std::optional<std::size_t> clamped;
   for (const std::size_t s : seats) {
+    const Seat& seat = history.seats[s];
     const auto group =
-        std::ranges::find(groups, history.seats[s].group, &GroupGeometry::name);
-    const double moment = largest_moment(history, s, *group);
-    if (moment <= kFriction * force * size) continue;
-    if (clamped || moment <= kHolds * force * size) return std::nullopt;
+        std::ranges::find(groups, seat.group, &GroupGeometry::name);
+    const double moment =
+        largest_moment(history, s, *group) / std::max(force * size, 1e-300);
+    const bool is_bore = seat.kind == SeatKind::kBearing;
+    const bool is_sure = is_bore && is_driven(history, seat.group);
+    const bool is_face = !is_bore && !has_pins;
+    if (!is_sure && moment <= (is_face ? kRoundOff : kFriction)) continue;
+    if (clamped || (!is_sure && !is_face && moment <= kHolds)) {
+      return std::nullopt;
+    }
     clamped = s;
   }
   // What takes no force turns the part, and others hold it.
@@ -110,10 +130,11 @@ void hold_clamped_seat(const std::vector<GroupGeometry>& groups, double size,
     const HoldingGroups pins = holding_groups(history).front();
     history.notes.push_back(fmt::format(
         "what holds the part is not in its loads: its deflection is relative "
-        "to {}, it buckles between each two pins and vibrates as a free part. "
-        "If one end is clamped, `fixed` or a `foundation` there says so",
-        pins.empty() ? "its own mean motion"
-                     : fmt::format("{}", fmt::join(pins, " and "))));
+        "to {} and it vibrates as a free part. If one end is clamped, `fixed` "
+        "or a `foundation` there says so",
+        pins.size() == 2 ? fmt::format("{}, between which it buckles,",
+                                       fmt::join(pins, " and "))
+                         : "its own mean motion"));
     return;
   }
   const Index rows = kWrench * std::ssize(history.seats);
@@ -130,8 +151,8 @@ void hold_clamped_seat(const std::vector<GroupGeometry>& groups, double size,
   };
   const std::string& group = history.seats[*seat].group;
   history.notes.push_back(fmt::format(
-      "{} takes a moment, as a weld or the pin of a driven lever does: it "
-      "alone counts as what holds the part, and deflection as relative to it",
+      "{} counts as what alone holds the part, for it takes a moment or the "
+      "loads of a drive: deflection is relative to it",
       group));
 }
 

@@ -1,6 +1,7 @@
 #include "mechanism/constraints/plane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -55,6 +56,43 @@ Vector3d suggested_normal(const MechanismDefinition& definition) {
                               : Vector3d(slide.unitOrthogonal());
 }
 
+/// The axes of a joint whose own may lie askew to the plane, one along the
+/// normal: of a slide x, of a weld or a ball z and x as near to an old axis as
+/// the plane lets it be.
+Matrix3d aligned_axes(const JointDefinition& joint, const Matrix3d& old,
+                      const Vector3d& normal) {
+  Matrix3d turned;
+  if (traits(joint.type).in_plane == InPlane::kAxisWithin) {
+    turned.col(0) = normal;
+    turned.col(2) = old.col(2);
+    turned.col(1) = turned.col(2).cross(turned.col(0)).normalized();
+    turned.col(0) = turned.col(1).cross(turned.col(2));
+    return turned;
+  }
+  const Matrix3d within = old - normal * (normal.transpose() * old);
+  Eigen::Index most = 0;
+  within.colwise().norm().maxCoeff(&most);
+  turned.col(0) = within.col(most).normalized();
+  turned.col(1) = normal.cross(turned.col(0));
+  turned.col(2) = normal;
+  return turned;
+}
+
+/// Whether a joint's compliance couples the axes that it has in the plane.
+bool couples_axes(const JointDefinition& joint, const Matrix3d& old,
+                  const Vector3d& normal) {
+  if (!joint.compliance || has_normal_axis(joint.type)) return false;
+  const Matrix3d turn = old.transpose() * aligned_axes(joint, old, normal);
+  return std::ranges::any_of(
+      std::array{joint.compliance->force, joint.compliance->moment},
+      [&turn](const Vector3d& along) {
+        const Matrix3d given = along.asDiagonal();
+        Matrix3d here = turn.transpose() * given * turn;
+        here.diagonal().setZero();
+        return here.norm() > kParallel * along.norm();
+      });
+}
+
 /// First joint that moves its bodies out of the plane, or null.
 const JointDefinition* find_spatial_joint(const MechanismDefinition& definition,
                                           const Vector3d& normal) {
@@ -77,6 +115,17 @@ const JointDefinition* find_spatial_joint(const MechanismDefinition& definition,
     if (!fits) return &joint;
   }
   return nullptr;
+}
+
+/// First joint whose compliance has axes askew to the plane, or null.
+const JointDefinition* find_oblique_compliance(
+    const MechanismDefinition& definition, const Vector3d& normal) {
+  const auto found = std::ranges::find_if(
+      definition.joints, [&](const JointDefinition& joint) {
+        return couples_axes(
+            joint, axes(definition, joint.body_a, joint.frame_a), normal);
+      });
+  return found == definition.joints.end() ? nullptr : &*found;
 }
 
 /// Whether joints keep every body in the plane that is ground's.
@@ -142,6 +191,15 @@ std::optional<Matrix3d> find_plane(const MechanismDefinition& definition) {
                 "Correct the joint's axis, or set dimension to \"spatial\" or "
                 "\"auto\".");
   }
+  if (const auto* oblique = find_oblique_compliance(definition, normal)) {
+    if (definition.dimension == SpaceDimension::kAuto) return std::nullopt;
+    throw Error("S010", oblique->place,
+                fmt::format("dimension is \"planar\", but the axes of joint "
+                            "{}'s compliance are askew to the plane",
+                            oblique->name),
+                "Give it one axis along the plane's normal, or set dimension "
+                "to \"spatial\" or \"auto\".");
+  }
   if (normal.isApprox(Vector3d::UnitZ(), kParallel)) {
     return Matrix3d(Matrix3d::Identity());
   }
@@ -157,18 +215,7 @@ void align_joint_frames(MechanismDefinition& definition,
   for (JointDefinition& joint : definition.joints) {
     if (has_normal_axis(joint.type)) continue;
     const Matrix3d old = axes(definition, joint.body_a, joint.frame_a);
-    Matrix3d turned;
-    if (traits(joint.type).in_plane == InPlane::kAxisWithin) {
-      turned.col(0) = normal_W;
-      turned.col(2) = old.col(2);
-      turned.col(1) = turned.col(2).cross(turned.col(0)).normalized();
-      turned.col(0) = turned.col(1).cross(turned.col(2));
-    } else {
-      turned.col(2) = normal_W;
-      turned.col(0) = normal_W.unitOrthogonal();
-      turned.col(1) = normal_W.cross(turned.col(0));
-    }
-    const Matrix3d turn = old.transpose() * turned;
+    const Matrix3d turn = old.transpose() * aligned_axes(joint, old, normal_W);
     joint.frame_a.R_LJ *= turn;
     joint.frame_b.R_LJ *= turn;
     if (!joint.compliance) continue;

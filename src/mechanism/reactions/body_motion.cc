@@ -1,5 +1,7 @@
 #include "mechanism/reactions/body_motion.h"
 
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -52,6 +54,58 @@ void put_forces(const SolvingFrame& frame, const ConstraintSystem& system,
     }
   }
   instant.couplings = std::move(forces.couplings);
+}
+
+namespace {
+
+/// @param turn  from the axes that it has to those that it gets.
+void turn_axes(const Eigen::Matrix3d& turn, JointReaction& reaction) {
+  constexpr double kRoundOff = 1e-9;
+  const auto unique = reaction.unique_components;
+  const auto spread = reaction.spread;
+  for (std::size_t k = 0; k < unique.size(); ++k) {
+    const std::size_t first = k < 3 ? 0 : 3;
+    reaction.unique_components[k] = true;
+    reaction.spread[k] = 0.0;
+    for (std::size_t i = first; i < first + 3; ++i) {
+      const double share = std::abs(turn(static_cast<Eigen::Index>(k - first),
+                                         static_cast<Eigen::Index>(i - first)));
+      if (share <= kRoundOff) continue;
+      reaction.unique_components[k] &= unique[i];
+      reaction.spread[k] += share * spread[i];
+    }
+  }
+}
+
+void refer_to_given_frames(const MechanismDefinition& definition,
+                           Instant& instant) {
+  constexpr double kSame = 1e-9;
+  for (std::size_t j = 0; j < instant.joints.size(); ++j) {
+    const JointDefinition& joint = definition.joints[j];
+    const Eigen::Matrix3d R_WL =
+        joint.body_a == kGround
+            ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+            : instant.bodies[static_cast<std::size_t>(joint.body_a)].pose.R_WL;
+    const Eigen::Matrix3d given = R_WL * joint.frame_a.R_LJ;
+    JointReaction& reaction = instant.joints[j];
+    if ((given - reaction.R_WJ).norm() < kSame) continue;
+    turn_axes(given.transpose() * reaction.R_WJ, reaction);
+    reaction.R_WJ = given;
+  }
+}
+
+}  // namespace
+
+void refer_to_given_frames(const MechanismDefinition& definition,
+                           Motion& motion) {
+  for (auto* instants : {&motion.instants, &motion.repeats}) {
+    for (Instant& instant : *instants) {
+      refer_to_given_frames(definition, instant);
+    }
+  }
+  for (ChangePoint& point : motion.change_points) {
+    if (point.at) refer_to_given_frames(definition, *point.at);
+  }
 }
 
 }  // namespace clevis::mechanism

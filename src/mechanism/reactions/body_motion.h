@@ -18,4 +18,9 @@ void put_forces(const SolvingFrame& frame, const ConstraintSystem& system,
                 const std::vector<PlacedJoint>& placed,
                 Equilibrium::Solution forces, Instant& instant);
 
+/// Components of all reactions along the axes of J as they are given; those of
+/// a planar mechanism are solved for along others (align_joint_frames()).
+void refer_to_given_frames(const MechanismDefinition& definition,
+                           Motion& motion);
+
 }  // namespace clevis::mechanism

@@ -88,19 +88,6 @@ bool has_elastic_links(const MechanismDefinition& definition) {
   });
 }
 
-/// Whether a rigid link of a joint would give way more than the joint does, as
-/// a bar along its joints: how these share is then more of the link's to say.
-bool is_stiffer_than_link(const MechanismDefinition& definition,
-                          const JointDefinition& joint,
-                          const std::vector<double>& bars) {
-  return std::ranges::any_of(
-      std::array{joint.body_a, joint.body_b}, [&](BodyIndex body) {
-        return body != kGround && !definition.bodies[index(body)].compliance &&
-               index(body) < bars.size() &&
-               joint.compliance->force.minCoeff() < bars[index(body)];
-      });
-}
-
 double range_of(const MechanismDefinition& definition,
                 const std::vector<int>& loaded, std::size_t joint) {
   const JointDefinition& of = definition.joints[joint];
@@ -204,8 +191,7 @@ bool changes_nothing(const std::vector<Coordinate>& coordinates,
 struct OtherSharings::Solver {
   static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
 
-  Solver(const MechanismDefinition& given, const Motion& motion_of,
-         const std::vector<double>& bars)
+  Solver(const MechanismDefinition& given, const Motion& motion_of)
       : loaded(unshared_strains(given, motion_of, SolvingFrame(given).length)
                    .loaded),
         definition(without_links(loaded, given)),
@@ -226,9 +212,7 @@ struct OtherSharings::Solver {
     for (const Coordinate& coordinate : coordinates) {
       const JointDefinition& joint = definition.joints[coordinate.joint];
       leaves_forces_out |= is_loaded_elsewhere(loaded, joint);
-      auto& names = !joint.compliance                          ? unknown_names
-                    : is_stiffer_than_link(given, joint, bars) ? stiff_names
-                                                               : given_names;
+      auto& names = joint.compliance ? given_names : unknown_names;
       if (names.empty() || names.back() != joint.name) {
         names.push_back(joint.name);
       }
@@ -326,14 +310,13 @@ struct OtherSharings::Solver {
   std::vector<Coordinate> coordinates;
   std::vector<Corner> corners;
   std::vector<Vector6> compliances;
-  std::vector<std::string> unknown_names, given_names, stiff_names;
+  std::vector<std::string> unknown_names, given_names;
   bool leaves_forces_out = false;
 };
 
 OtherSharings::OtherSharings(const MechanismDefinition& definition,
-                             const Motion& motion,
-                             const std::vector<double>& bars)
-    : solver_(std::make_unique<Solver>(definition, motion, bars)) {}
+                             const Motion& motion)
+    : solver_(std::make_unique<Solver>(definition, motion)) {}
 OtherSharings::~OtherSharings() = default;
 OtherSharings::OtherSharings(OtherSharings&&) noexcept = default;
 OtherSharings& OtherSharings::operator=(OtherSharings&&) noexcept = default;
@@ -356,10 +339,6 @@ const std::vector<std::string>& OtherSharings::unknown() const {
 
 const std::vector<std::string>& OtherSharings::given() const {
   return solver_->given_names;
-}
-
-const std::vector<std::string>& OtherSharings::stiff() const {
-  return solver_->stiff_names;
 }
 
 bool OtherSharings::leaves_forces_out() const {

@@ -31,10 +31,7 @@ class OtherSharings {
  public:
   /// @param motion  of the definition, without instants at change points; its
   ///   links may have counted as rigid.
-  /// @param bars  of each body, what it gives way as a bar from joint to joint,
-  ///   0 of none [m/N].
-  OtherSharings(const MechanismDefinition& definition, const Motion& motion,
-                const std::vector<double>& bars = {});
+  OtherSharings(const MechanismDefinition& definition, const Motion& motion);
   ~OtherSharings();
   OtherSharings(OtherSharings&&) noexcept;
   OtherSharings& operator=(OtherSharings&&) noexcept;
@@ -49,8 +46,6 @@ class OtherSharings {
   const std::vector<std::string>& unknown() const;
   /// Joints whose compliance was given and matters.
   const std::vector<std::string>& given() const;
-  /// Likewise, of less than their links yield.
-  const std::vector<std::string>& stiff() const;
   /// Whether forces strain elastic links elsewhere than at these joints, which
   /// shares reactions too and is not known.
   bool leaves_forces_out() const;

@@ -108,6 +108,29 @@ std::map<int, Matrix3Xd> reactions(
   return found;
 }
 
+/// The history without what acts on held faces themselves: it goes on into the
+/// part with the support's reaction, or no farther than the support.
+loads::LoadHistory without_loads_on(const std::vector<SupportPiece>& pieces,
+                                    loads::LoadHistory history) {
+  const auto is_held = [&pieces](const std::string& group) {
+    return std::ranges::any_of(pieces, [&group](const SupportPiece& piece) {
+      return std::ranges::find(piece.groups, group) != piece.groups.end();
+    });
+  };
+  for (loads::InstantLoad& instant : history.instants) {
+    for (std::size_t s = 0; s < history.seats.size(); ++s) {
+      if (is_held(history.seats[s].group)) instant.wrenches[s] = {};
+    }
+    for (loads::SurfaceLoad& load : instant.surface_loads) {
+      if (!is_held(load.group)) continue;
+      const std::string group = load.group;
+      load = {};
+      load.group = group;
+    }
+  }
+  return history;
+}
+
 /// "root", "left + right", "feet at (0, 4, 0) mm" of several.
 std::string name_of(const SupportPiece& piece,
                     const std::vector<SupportPiece>& pieces) {
@@ -136,7 +159,8 @@ std::vector<SupportFace> support_faces(
   elasticity::SplitLoads loads{elasticity::SplitColumns(discretization.dofs()),
                                MatrixXd(0, basis.coefficients.cols())};
   if (!history.instants.empty()) {
-    loads = elasticity::load_columns<dim>(discretization, history,
+    loads = elasticity::load_columns<dim>(discretization,
+                                          without_loads_on(pieces, history),
                                           material.density, part_name);
   }
   const Index rank = basis.columns.cols();

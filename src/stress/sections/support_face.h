@@ -14,7 +14,8 @@
 
 namespace clevis::stress {
 
-/// Reaction of a support on a plane piece of a part's faces, per instant.
+/// What a plane piece of the faces that hold a part passes on into it, per
+/// instant: its support's reaction, and loads on the piece itself.
 struct SupportFace {
   std::string name;                 ///< of its group, or groups
   std::vector<std::string> groups;  ///< whose faces it has
@@ -27,12 +28,13 @@ struct SupportFace {
 /// The plane pieces of the faces that hold a part (support_pieces), each as the
 /// section of a bar.
 ///
-/// Force and moment are the nodal reactions K u − f, of the supports and of an
-/// elastic bed on the same face: exact for what the elements are in balance
-/// with, however coarse they are and whatever the edge does to the stress. Of
-/// displacements in time the inertia of the cells at the face is left out, (ω h
-/// / c)² of it in waves of frequency ω. The nominal stress (nominal_stress)
-/// says nothing of corners, and is beam theory's where the part is a bar there.
+/// Force and moment are those of the nodes K u − f, f the loads but for those
+/// on held faces: of the supports, of an elastic bed and of loads on the same
+/// face, exact for what the elements are in balance with, however coarse they
+/// are and whatever the edge does to the stress. Of displacements in time the
+/// inertia of the cells at the face is left out, (ω h / c)² of it in waves of
+/// frequency ω. The nominal stress (nominal_stress) says nothing of corners,
+/// and is beam theory's where the part is a bar there.
 /// @param fixed    components held at zero per group.
 /// @param history  the loads of the basis' instants; of displacements in time
 ///   without loads.

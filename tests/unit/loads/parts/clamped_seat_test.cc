@@ -25,24 +25,29 @@ GroupGeometry bore(const char* name, double x) {
   return group;
 }
 
-/// A force across at B, what balances it at A: the force there, and moments on
-/// the face of A's bore and at B.
-LoadHistory lever(double on_face, double at_b = 0.0) {
+/// A force across at B, what balances it at A: the force there, and moments.
+LoadHistory lever(double at_a, double at_b = 0.0) {
   LoadHistory history;
-  history.seats = {
-      {.name = "A", .group = "bore_A", .kind = SeatKind::kBearing},
-      {.name = "drive A", .group = "bore_A", .kind = SeatKind::kTraction},
-      {.name = "B",
-       .group = "bore_B",
-       .kind = SeatKind::kBearing,
-       .p_LS = {kArm, 0.0, 0.0}}};
+  history.seats = {{.name = "A", .group = "bore_A", .kind = SeatKind::kBearing},
+                   {.name = "B",
+                    .group = "bore_B",
+                    .kind = SeatKind::kBearing,
+                    .p_LS = {kArm, 0.0, 0.0}}};
   InstantLoad load;
-  load.wrenches.resize(3);
+  load.wrenches.resize(2);
   load.wrenches[0].force = {0.0, -kForce, 0.0};
-  load.wrenches[1].moment = {0.0, 0.0, on_face};
-  load.wrenches[2].force = {0.0, kForce, 0.0};
-  load.wrenches[2].moment = {0.0, 0.0, at_b};
+  load.wrenches[0].moment = {0.0, 0.0, at_a};
+  load.wrenches[1].force = {0.0, kForce, 0.0};
+  load.wrenches[1].moment = {0.0, 0.0, at_b};
   history.instants = {load};
+  return history;
+}
+
+/// Takes another seat in, of a face.
+LoadHistory with_face(LoadHistory history, const char* group, double moment) {
+  history.seats.push_back(
+      {.name = "drive", .group = group, .kind = SeatKind::kTraction});
+  history.instants[0].wrenches.push_back({.moment = {0.0, 0.0, moment}});
   return history;
 }
 
@@ -58,8 +63,8 @@ TEST(ClampedSeat, HoldsTheLeverAlone) {
   hold_clamped_seat({bore("bore_A", 0.0), bore("bore_B", kArm)}, kArm, history);
   EXPECT_EQ(holding_groups(history), std::vector<HoldingGroups>{{"bore_A"}});
   ASSERT_EQ(history.notes.size(), 1u);
-  EXPECT_TRUE(history.notes[0].starts_with("bore_A takes a moment, as"));
-  EXPECT_EQ(history.hold(0.3).held.rows(), 18);
+  EXPECT_TRUE(history.notes[0].starts_with("bore_A counts as what alone"));
+  EXPECT_EQ(history.hold(0.3).held.rows(), 12);
 }
 
 TEST(ClampedSeat, FrictionHoldsNothing) {
@@ -81,18 +86,39 @@ TEST(ClampedSeat, MomentsAcrossTheAxisDoNotTurnIt) {
   EXPECT_EQ(holds_of(history), kBoth);
 }
 
-// A beam that is welded at its face A.
-TEST(ClampedSeat, FaceThatTakesAMomentAcross) {
-  LoadHistory history = lever(-kForce * kArm);
+// A beam that is welded at its face A: beside one pin any moment counts.
+TEST(ClampedSeat, FaceThatTakesAMoment) {
+  for (const double share : {1.0, 1e-3}) {
+    LoadHistory history = lever(-share * kForce * kArm);
+    history.seats[0].kind = SeatKind::kTraction;
+    EXPECT_EQ(holds_of(history), std::vector<HoldingGroups>{{"bore_A"}});
+  }
+  LoadHistory history = lever(0.0);
   history.seats[0].kind = SeatKind::kTraction;
-  history.instants[0].wrenches[1].moment = {0.0, 0.0, -kForce * kArm};
+  EXPECT_EQ(holds_of(history), std::vector<HoldingGroups>{{"bore_B"}});
+  EXPECT_FALSE(history.hold);
+}
+
+// A drive at the bore holds the lever, with no moment while that is straight.
+TEST(ClampedSeat, BoreWithADrive) {
+  const std::vector<HoldingGroups> at_a{{"bore_A"}};
+  EXPECT_EQ(holds_of(with_face(lever(0.0), "bore_A", 0.0)), at_a);
+  EXPECT_EQ(holds_of(with_face(lever(0.0), "bore_A", -kForce * kArm)), at_a);
+  EXPECT_EQ(
+      holds_of(with_face(with_face(lever(0.0), "bore_A", 0.0), "bore_B", 0.0)),
+      kBoth);
+}
+
+// A force's seat in a bore holds nothing.
+TEST(ClampedSeat, ForceInABore) {
+  LoadHistory history = lever(0.0);
+  history.seats[1].name = "force S";
   EXPECT_EQ(holds_of(history), std::vector<HoldingGroups>{{"bore_A"}});
 }
 
 // A drive turns it at a face of its own: which pin holds it is not known.
 TEST(ClampedSeat, MomentWithoutForceHoldsNoPlace) {
-  LoadHistory history = lever(-kForce * kArm);
-  history.seats[1].group = "hub";
+  LoadHistory history = with_face(lever(0.0), "hub", -kForce * kArm);
   GroupGeometry hub;
   hub.name = "hub";
   hold_clamped_seat({bore("bore_A", 0.0), bore("bore_B", kArm), hub}, kArm,

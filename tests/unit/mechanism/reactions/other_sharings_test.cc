@@ -94,28 +94,6 @@ MechanismDefinition loop() {
 }
 
 // The corner's reactions are those of a motion simulated with its compliances.
-// Joints that are given less compliance than their rigid link has as a bar are
-// named: what elastic links give way counts.
-TEST(OtherSharings, JointsStifferThanTheirLinkAreNamed) {
-  MechanismDefinition m = link_on_two_hinges();
-  m.elements.clear();
-  m.gravity_W = {-9.81, 0.0, 0.0};  // along the link
-  for (JointDefinition& joint : m.joints) {
-    joint.compliance =
-        JointCompliance{Vector3d::Constant(2e-9), Vector3d::Constant(1e-6)};
-  }
-  const Motion motion = simulate(m, kSettings);
-  const std::vector<std::string> both{"A", "B"};
-  EXPECT_EQ(OtherSharings(m, motion, {1e-9}).given(), both);
-  EXPECT_TRUE(OtherSharings(m, motion, {1e-9}).stiff().empty());
-  EXPECT_EQ(OtherSharings(m, motion, {3e-9}).stiff(), both);
-  m.bodies[0].compliance =
-      LinkCompliance{.joints = {0},
-                     .points = {Vector3d::Zero()},
-                     .matrix = Eigen::MatrixXd::Zero(6, 6)};
-  EXPECT_TRUE(OtherSharings(m, motion, {3e-9}).stiff().empty());
-}
-
 TEST(OtherSharings, AreThoseOfAMotionWithThatCompliance) {
   MechanismDefinition m = link_on_two_hinges();
   m.gravity_W = {3.0, -9.81, 1.0};
