@@ -1,5 +1,6 @@
 #include "app/parts/link_compliance.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -40,14 +41,22 @@ mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
   return link;
 }
 
+bool is_pressed(const LoadedPart& part) {
+  return std::ranges::any_of(part.definition.force_seats,
+                             [](const part::ForceSeat& seat) {
+                               return !seat.pressurized.empty();
+                             });
+}
+
 }  // namespace
 
-mechanism::MechanismDefinition with_link_compliances(
-    const LoadedScene& loaded) {
+mechanism::MechanismDefinition with_link_compliances(const LoadedScene& loaded,
+                                                     PressedLinks pressed) {
   mechanism::MechanismDefinition mechanism = loaded.scene.mechanism;
   for (const LoadedPart& part : loaded.parts) {
     const auto body = loaded.body_of(part.definition.name);
     if (body == mechanism::kGround) continue;
+    if (pressed == PressedLinks::kRigid && is_pressed(part)) continue;
     mechanism.bodies[static_cast<std::size_t>(body)].compliance =
         link_compliance(loaded, part, body);
   }
@@ -56,7 +65,8 @@ mechanism::MechanismDefinition with_link_compliances(
 
 void add_link_compliances(LoadedScene& loaded) {
   if (loaded.scene.simulation.links == mechanism::LinkStiffness::kElastic) {
-    loaded.scene.mechanism = with_link_compliances(loaded);
+    loaded.scene.mechanism =
+        with_link_compliances(loaded, PressedLinks::kElastic);
   }
 }
 

@@ -9,8 +9,9 @@
 namespace clevis::app {
 
 /// How joints of other compliance share the reactions that equilibrium leaves
-/// open. Where the compliance of joints is given, or spin stretches links
-/// between their joints, also as elastic links share them that count as rigid.
+/// open. Where the compliance of a joint is given, or spin stretches links
+/// between their joints, also as elastic links share them that count as rigid,
+/// but for those that pressure on further faces strains.
 class Sharings {
  public:
   /// @param motion  of the scene's mechanism, without instants at change
@@ -29,9 +30,10 @@ class Sharings {
  private:
   /// Of a mechanism whose links count as elastic.
   struct Elastic {
-    Elastic(const LoadedScene& loaded, const mechanism::Motion& motion);
+    Elastic(const LoadedScene& loaded, const mechanism::Motion& rigid);
 
     mechanism::MechanismDefinition definition;
+    mechanism::Motion motion;  ///< as it shares
     mechanism::OtherSharings sharings;
   };
   const LoadedScene& loaded_;

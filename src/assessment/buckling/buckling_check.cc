@@ -358,17 +358,15 @@ void lower_for_fluids(const PartJob& job, BucklingResult& result) {
 
 /// Of a history without supports, pins or a seat that clamps nothing tells what
 /// holds the part: clamped at one end alone it buckles under a quarter of what
-/// it does between two.
+/// it does between two. The lowest factor counts, of whatever loads.
 void lower_for_unknown_hold(const PartJob& job, BucklingResult& result) {
   constexpr double kOneEnd = 0.25;
   const bool is_unknown =
       std::ranges::any_of(job.load_sets, [&](const LoadSet& set) {
         const loads::LoadHistory& history = set.history;
         return !history.hold && set.fixed.empty() && set.foundations.empty() &&
-               loads::holding_groups(history).front().size() < 2 &&
-               std::ranges::any_of(history.instants, [&](const auto& instant) {
-                 return !instant.is_case && instant.label == result.label;
-               });
+               !history.instants.empty() && !history.instants.front().is_case &&
+               loads::holding_groups(history).front().empty();
       });
   if (!is_unknown) return;
   const double low = kOneEnd * result.band_low;

@@ -46,8 +46,10 @@ void note_pins(const PartJob& job, const part::LoadCaseDefinition& load_case,
 /// Of a free part nobody knows which of its pins hold it.
 void note_reference(const PartJob& job, const LoadSet& set,
                     PartResult& result) {
-  if (!job.part.limits.deflection || set.history.hold || !set.fixed.empty() ||
-      !set.foundations.empty()) {
+  const auto& instants = set.history.instants;
+  const bool is_case = !instants.empty() && instants.front().is_case;
+  if (!job.part.limits.deflection || !is_case || set.history.hold ||
+      !set.fixed.empty() || !set.foundations.empty()) {
     return;
   }
   const auto holds = loads::holding_groups(set.history);

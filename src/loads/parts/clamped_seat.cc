@@ -13,6 +13,7 @@
 #include "loads/history/balance.h"
 #include "loads/holds/holding_groups.h"
 #include "loads/holds/seat_hold.h"
+#include "loads/seats/force_seats.h"
 
 namespace clevis::loads {
 namespace {
@@ -58,11 +59,13 @@ double largest_force(const LoadHistory& history, const std::string& group) {
   return largest;
 }
 
-/// One seat of each group, of a bore one that bears.
+/// One seat of each group but those of forces, which hold nothing; of a bore
+/// one that bears.
 std::vector<std::size_t> seats_of_groups(const LoadHistory& history) {
   std::vector<std::size_t> found;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
     const Seat& seat = history.seats[s];
+    if (is_force_seat(seat)) continue;
     const auto same = std::ranges::find_if(found, [&](std::size_t other) {
       return history.seats[other].group == seat.group;
     });
@@ -78,7 +81,8 @@ std::vector<std::size_t> seats_of_groups(const LoadHistory& history) {
 /// Whether a bore takes loads of a face, too, as that of a drive.
 bool is_driven(const LoadHistory& history, const std::string& bore) {
   return std::ranges::any_of(history.seats, [&bore](const Seat& seat) {
-    return seat.group == bore && seat.kind != SeatKind::kBearing;
+    return seat.group == bore && seat.kind != SeatKind::kBearing &&
+           !is_force_seat(seat);
   });
 }
 
@@ -139,7 +143,7 @@ void hold_clamped_seat(const std::vector<GroupGeometry>& groups, double size,
   }
   const Index rows = kWrench * std::ssize(history.seats);
   SeatHold hold;
-  hold.held = hold.weighed = hold.sprung = hold.damped = MatrixXd(rows, 0);
+  hold.weighed = hold.sprung = hold.damped = MatrixXd(rows, 0);
   hold.held = MatrixXd::Zero(rows, kWrench);
   hold.held.middleRows<kWrench>(kWrench * static_cast<Index>(*seat))
       .setIdentity();

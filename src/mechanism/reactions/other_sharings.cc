@@ -186,41 +186,17 @@ bool changes_nothing(const std::vector<Coordinate>& coordinates,
   });
 }
 
-}  // namespace
-
-struct OtherSharings::Solver {
-  static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
-
-  Solver(const MechanismDefinition& given, const Motion& motion_of)
-      : loaded(unshared_strains(given, motion_of, SolvingFrame(given).length)
-                   .loaded),
-        definition(without_links(loaded, given)),
-        motion(motion_of),
+/// Solves the reactions of a motion's instants anew.
+struct Sharer {
+  explicit Sharer(MechanismDefinition given)
+      : definition(std::move(given)),
         frame(definition),
         system(frame, definition.drives,
                frame.planar ? Motions::kInPlane : Motions::kSpatial,
                ConstraintSystem::Drives::kAll),
-        equilibrium(definition, frame, system),
-        coordinates(open_coordinates(given, loaded, motion, frame.length)) {
-    corners = coordinates.size() <= kMostCoordinates
-                  ? all_corners(coordinates.size())
-                  : some_corners(coordinates);
-    std::erase_if(corners, [&](const Corner& corner) {
-      return corner.empty() ||
-             changes_nothing(coordinates, corner, has_elastic_links(given));
-    });
-    for (const Coordinate& coordinate : coordinates) {
-      const JointDefinition& joint = definition.joints[coordinate.joint];
-      leaves_forces_out |= is_loaded_elsewhere(loaded, joint);
-      auto& names = joint.compliance ? given_names : unknown_names;
-      if (names.empty() || names.back() != joint.name) {
-        names.push_back(joint.name);
-      }
-    }
-    for (const JointModel& joint : frame.joints) {
-      compliances.push_back(joint.compliance);
-    }
-  }
+        equilibrium(definition, frame, system) {}
+  Sharer(const Sharer&) = delete;
+  Sharer& operator=(const Sharer&) = delete;
 
   Configuration configuration(const Instant& instant) const {
     Configuration x = frame.placement;
@@ -270,6 +246,64 @@ struct OtherSharings::Solver {
     return result;
   }
 
+  /// Components along axes of the solving frame.
+  Motion shared(const Motion& motion) const {
+    Motion result = motion;
+    for (Instant& instant : result.instants) {
+      const Configuration x = configuration(instant);
+      const auto placed = system.place(x);
+      numerics::JacobianFactor factor;
+      factor.compute(system.jacobian(placed), nullptr, frame.rank_threshold());
+      const auto [twists, accelerations] = rates(instant);
+      put_forces(frame, system, placed,
+                 equilibrium.solve(x, placed, factor, twists, accelerations,
+                                   applied(instant, x), instant.elements),
+                 instant);
+    }
+    return result;
+  }
+
+  MechanismDefinition definition;
+  SolvingFrame frame;
+  ConstraintSystem system;
+  Equilibrium equilibrium;
+};
+
+}  // namespace
+
+struct OtherSharings::Solver : Sharer {
+  static constexpr std::size_t kMostCoordinates = 6;  // 64 corners
+
+  Solver(const MechanismDefinition& given, const Motion& motion_of)
+      : Solver(unshared_strains(given, motion_of, SolvingFrame(given).length)
+                   .loaded,
+               given, motion_of) {}
+
+  Solver(const std::vector<int>& loaded, const MechanismDefinition& given,
+         const Motion& motion_of)
+      : Sharer(without_links(loaded, given)),
+        motion(motion_of),
+        coordinates(open_coordinates(given, loaded, motion, frame.length)) {
+    corners = coordinates.size() <= kMostCoordinates
+                  ? all_corners(coordinates.size())
+                  : some_corners(coordinates);
+    std::erase_if(corners, [&](const Corner& corner) {
+      return corner.empty() ||
+             changes_nothing(coordinates, corner, has_elastic_links(given));
+    });
+    for (const Coordinate& coordinate : coordinates) {
+      const JointDefinition& joint = definition.joints[coordinate.joint];
+      leaves_forces_out |= is_loaded_elsewhere(loaded, joint);
+      auto& names = joint.compliance ? given_names : unknown_names;
+      if (names.empty() || names.back() != joint.name) {
+        names.push_back(joint.name);
+      }
+    }
+    for (const JointModel& joint : frame.joints) {
+      compliances.push_back(joint.compliance);
+    }
+  }
+
   void set(const Corner& corner) {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
       const Coordinate& c = coordinates[i];
@@ -286,27 +320,10 @@ struct OtherSharings::Solver {
 
   Motion shared(const Corner& corner) {
     set(corner);
-    Motion result = motion;
-    for (Instant& instant : result.instants) {
-      const Configuration x = configuration(instant);
-      const auto placed = system.place(x);
-      numerics::JacobianFactor factor;
-      factor.compute(system.jacobian(placed), nullptr, frame.rank_threshold());
-      const auto [twists, accelerations] = rates(instant);
-      put_forces(frame, system, placed,
-                 equilibrium.solve(x, placed, factor, twists, accelerations,
-                                   applied(instant, x), instant.elements),
-                 instant);
-    }
-    return result;
+    return Sharer::shared(motion);
   }
 
-  std::vector<int> loaded;  ///< links that are elastic
-  MechanismDefinition definition;
   const Motion& motion;
-  SolvingFrame frame;
-  ConstraintSystem system;
-  Equilibrium equilibrium;
   std::vector<Coordinate> coordinates;
   std::vector<Corner> corners;
   std::vector<Vector6> compliances;
@@ -343,6 +360,11 @@ const std::vector<std::string>& OtherSharings::given() const {
 
 bool OtherSharings::leaves_forces_out() const {
   return solver_->leaves_forces_out;
+}
+
+Motion shared_anew(const MechanismDefinition& definition,
+                   const Motion& motion) {
+  return Sharer(definition).shared(motion);
 }
 
 void forget_negligible(double length, Motion& motion) {

@@ -46,14 +46,19 @@ class OtherSharings {
   const std::vector<std::string>& unknown() const;
   /// Joints whose compliance was given and matters.
   const std::vector<std::string>& given() const;
-  /// Whether forces strain elastic links elsewhere than at these joints, which
-  /// shares reactions too and is not known.
+  /// Whether pressure on further faces strains elastic links of these joints,
+  /// which shares reactions too and is not known.
   bool leaves_forces_out() const;
 
  private:
   struct Solver;
   std::unique_ptr<Solver> solver_;
 };
+
+/// The same motion as the definition's own compliances share it, of links that
+/// may have counted as rigid, with all that equilibrium leaves open marked.
+/// Forces [N] and moments [N m]; components are along the solving frame's axes.
+Motion shared_anew(const MechanismDefinition& definition, const Motion& motion);
 
 /// Counts the reaction of a joint as unique where all that equilibrium leaves
 /// open of it is negligible, over the whole motion: below kNegligibleReaction

@@ -109,6 +109,19 @@ TEST(ClampedSeat, BoreWithADrive) {
       kBoth);
 }
 
+// Forces off the middle of their face hold nothing.
+TEST(ClampedSeat, ForceOnAFace) {
+  LoadHistory history =
+      with_face(lever(-kForce * kArm), "end", 0.5 * kForce * kArm);
+  for (Seat& seat : history.seats) seat.kind = SeatKind::kTraction;
+  history.seats[2].name = "force S";
+  GroupGeometry end;
+  end.name = "end";
+  hold_clamped_seat({bore("bore_A", 0.0), bore("bore_B", kArm), end}, kArm,
+                    history);
+  EXPECT_EQ(holding_groups(history), std::vector<HoldingGroups>{{"bore_A"}});
+}
+
 // A force's seat in a bore holds nothing.
 TEST(ClampedSeat, ForceInABore) {
   LoadHistory history = lever(0.0);
