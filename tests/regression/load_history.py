@@ -253,6 +253,62 @@ def held_where_its_reaction_is_given(folder):
              found.part["support_section"]["nominal_stress_MPa"], 30.0, 1e-6)
 
 
+COLUMN = """[[body]]
+name = "part"
+part = "part"
+placement = {{ origin = ["0 mm", "0 mm", "0 mm"] }}
+[[joint]]
+name = "W"
+type = "weld"
+between = ["ground", "part"]
+at = {{ ground = ["0 mm", "0 mm", "0 mm"], part = ["0 mm", "0 mm", "0 mm"] }}
+[simulation]
+duration = "1 s"
+instants = 2
+[[force]]
+name = "load"
+type = "constant"
+body = "part"
+point = ["200 mm", "0 mm", "0 mm"]
+force = ["-15 kN", "300 N", "0 N"]
+[[part]]
+name = "part"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+pins = {{ W = "x0" }}
+forces = {{ load = {{ face = "x1" }} }}
+"""
+
+
+def welded_column(folder):
+    """It buckles from its weld on, by whose moment it is known, under Euler's quarter;
+    pressed at both ends without a moment nobody knows, and the band reaches down to it."""
+    bar = hex_mesh.block((20, 2, 2),
+                         lambda x, y, z: (200 * x, 10 * y - 5, 10 * z - 5))
+    hex_mesh.write(folder / "bar.msh", bar)
+    (folder / "column.toml").write_text(f"""schema = 1
+name = "column"
+[world]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+{support.steel(0.3)}""" + COLUMN.format())
+    whole = support.check(CLEVIS, folder / "column.toml", out=folder / "column",
+                          exits=support.JUDGED).part
+    found = check(folder, "bar.msh", 'faces = { W = "x0", "force load" = "x1" }',
+                  (folder / "column/part_loads.csv").read_text(), exits=support.JUDGED).part
+    euler = math.pi**2 * 210e3 * 10**4 / 12 / 4 / 200**2 / 15e3
+    near("welded column, buckling", found["buckling"]["factor"], euler, 5e-3)
+    for key in ("buckling", "deflection_mm"):
+        one, other = (part[key]["factor"] if key == "buckling" else part[key]
+                      for part in (found, whole))
+        near(f"welded column, {key} as in its mechanism", one, other, 1e-3)
+    found = check(folder, "bar.msh", 'faces = { l = "x0", r = "x1" }',
+                  "time [s],l.force_x [N],r.force_x [N]\n0,1000,-1000\n",
+                  exits=support.JUDGED).part["buckling"]
+    near("pressed at both ends, buckling", found["factor"], 4 * 15 * euler, 0.02)
+    near("pressed at both ends, its band", found["band"][0], 15 * euler, 0.02)
+
+
 def struck_bar(folder):
     """A clamped bar of 200 x 10 x 10 mm, pulled by 1 kN from one instant on: waves
     double the stress and the stretch (d'Alembert), whether it is the first instant
@@ -324,6 +380,7 @@ def main():
         turning_bar(folder)
         struck_bar(folder)
         held_where_its_reaction_is_given(folder)
+        welded_column(folder)
     for fault in faults:
         print("FAULT", fault)
     return 1 if faults else 0

@@ -42,10 +42,9 @@ mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
 }
 
 bool is_pressed(const LoadedPart& part) {
-  return std::ranges::any_of(part.definition.force_seats,
-                             [](const part::ForceSeat& seat) {
-                               return !seat.pressurized.empty();
-                             });
+  return !std::ranges::all_of(part.definition.force_seats,
+                              &std::vector<std::string>::empty,
+                              &part::ForceSeat::pressurized);
 }
 
 }  // namespace

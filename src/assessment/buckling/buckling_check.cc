@@ -309,6 +309,15 @@ double load_of_bar(const PartJob& job, const LoadSet& set) {
          (material.density * length * length * length);
 }
 
+/// Lowers the band to `low`. Of a factor that is a bound that is the bound
+/// then, as long as it is enough.
+void lower_to(double low, const PartJob& job, BucklingResult& result) {
+  const bool is_bound = result.is_lower_bound() &&
+                        low >= part::wanted_buckling_factor(job.part.limits);
+  result.band_low = low;
+  if (is_bound) result.factor = result.band_high = low;
+}
+
 /// Where dead pressure pulls tubes straight that a fluid's bends on, the band
 /// reaches down by twice that.
 void lower_for_columns(const PartJob& job, BucklingResult& result) {
@@ -322,17 +331,13 @@ void lower_for_columns(const PartJob& job, BucklingResult& result) {
   const double low = 1.0 / (1.0 / result.band_low + 2.0 * most);
   constexpr double kCounts = 0.99;
   if (low > kCounts * result.band_low) return;
-  const bool is_bound = result.is_lower_bound() &&
-                        low >= part::wanted_buckling_factor(job.part.limits);
-  result.band_low = low;
-  if (is_bound) result.factor = result.band_high = low;
+  lower_to(low, job, result);
   result.remark +=
       result.remark.empty()
           ? "pressure keeps its direction; a fluid's in a long bore bends the "
             "part on as an axial load, which is in the band as of a bar"
           : "; in a long bore it bends the part on as an axial load, which is "
-            "in "
-            "the band as of a bar";
+            "in the band as of a bar";
 }
 
 /// Pressure counts as a dead load. A fluid's turns with its face: a ring, or a
@@ -369,16 +374,7 @@ void lower_for_unknown_hold(const PartJob& job, BucklingResult& result) {
                loads::holding_groups(history).front().empty();
       });
   if (!is_unknown) return;
-  const double low = kOneEnd * result.band_low;
-  if (result.is_lower_bound()) {
-    if (low < part::wanted_buckling_factor(job.part.limits)) {
-      result.band_low = low;
-    } else {
-      result.factor = result.band_low = result.band_high = low;
-    }
-  } else {
-    result.band_low = low;
-  }
+  lower_to(kOneEnd * result.band_low, job, result);
   if (!result.remark.empty()) result.remark += "; ";
   result.remark +=
       "nothing tells what holds the part: clamped at one end alone it buckles "

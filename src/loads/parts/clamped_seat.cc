@@ -97,6 +97,7 @@ std::optional<std::size_t> clamped_seat(
   for (const std::size_t s : seats) {
     force = std::max(force, largest_force(history, history.seats[s].group));
   }
+  if (!(force > 0.0)) return std::nullopt;
   const bool has_pins =
       std::ranges::count(seats, SeatKind::kBearing, [&history](std::size_t s) {
         return history.seats[s].kind;
@@ -106,8 +107,7 @@ std::optional<std::size_t> clamped_seat(
     const Seat& seat = history.seats[s];
     const auto group =
         std::ranges::find(groups, seat.group, &GroupGeometry::name);
-    const double moment =
-        largest_moment(history, s, *group) / std::max(force * size, 1e-300);
+    const double moment = largest_moment(history, s, *group) / (force * size);
     const bool is_bore = seat.kind == SeatKind::kBearing;
     const bool is_sure = is_bore && is_driven(history, seat.group);
     const bool is_face = !is_bore && !has_pins;
@@ -136,9 +136,11 @@ void hold_clamped_seat(const std::vector<GroupGeometry>& groups, double size,
         "what holds the part is not in its loads: its deflection is relative "
         "to {} and it vibrates as a free part. If one end is clamped, `fixed` "
         "or a `foundation` there says so",
-        pins.size() == 2 ? fmt::format("{}, between which it buckles,",
-                                       fmt::join(pins, " and "))
-                         : "its own mean motion"));
+        pins.empty()
+            ? "its own mean motion"
+            : fmt::format(
+                  "{}, {} it buckles,", fmt::join(pins, " and "),
+                  pins.size() == 1 ? "clamped at which" : "between which")));
     return;
   }
   const Index rows = kWrench * std::ssize(history.seats);

@@ -44,8 +44,8 @@ bool is_open(const Motion& motion, std::size_t joint, std::size_t component,
   });
 }
 
-/// Whether a force strains an elastic link elsewhere than at its joints: what
-/// it does to the sharing is left out.
+/// Whether pressure on further faces strains an elastic link: what it does to
+/// the sharing is left out.
 bool is_loaded_elsewhere(const std::vector<int>& loaded, BodyIndex body) {
   return std::ranges::find(loaded, body) != loaded.end();
 }
@@ -69,7 +69,7 @@ void soften_joints(const LinkCompliance& link,
   }
 }
 
-/// Without the links that forces strain elsewhere: how those share is not
+/// Without the links that pressure strains so: how those share is not
 /// known, so that joints alone do, of any compliance about that of the link.
 MechanismDefinition without_links(const std::vector<int>& loaded,
                                   const MechanismDefinition& given) {

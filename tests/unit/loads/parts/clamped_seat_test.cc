@@ -127,6 +127,10 @@ TEST(ClampedSeat, ForceInABore) {
   LoadHistory history = lever(0.0);
   history.seats[1].name = "force S";
   EXPECT_EQ(holds_of(history), std::vector<HoldingGroups>{{"bore_A"}});
+  hold_clamped_seat({bore("bore_A", 0.0), bore("bore_B", kArm)}, kArm, history);
+  ASSERT_EQ(history.notes.size(), 1u);
+  EXPECT_NE(history.notes[0].find("relative to bore_A, clamped at which"),
+            std::string::npos);
 }
 
 // A drive turns it at a face of its own: which pin holds it is not known.

@@ -81,6 +81,7 @@ TEST(AskewJoints, CompliancesShareInThePlaneAsInSpace) {
           continue;
         }
         EXPECT_EQ(one.unique_components[k], other.unique_components[k]);
+        EXPECT_NEAR(one.spread[k], other.spread[k], 1e-6 * kPull);
       }
     }
     EXPECT_LT((planar.joints[0].R_WJ - axes).norm(), 1e-12);
