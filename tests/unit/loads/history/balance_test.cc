@@ -44,7 +44,8 @@ TEST(Balance, RoundOffOfTheMechanismIsNoLoad) {
   LoadHistory history;
   history.seats.resize(2);
   InstantLoad& instant = history.instants.emplace_back();
-  instant.wrenches = {{{1e-6, 0.0, 0.0}, {}}, {{-1e-6 + 2e-12, 0.0, 0.0}, {}}};
+  instant.wrenches = {{.force = {1e-6, 0.0, 0.0}},
+                      {.force = {-1e-6 + 2e-12, 0.0, 0.0}}};
   EXPECT_THROW(require_balance(history, mass, 0.1, "part"), Error);
   EXPECT_NO_THROW(require_balance(history, mass, 0.1, "part", 3e4));
   EXPECT_THROW(require_balance(history, mass, 0.1, "part", 3e2), Error);
