@@ -112,7 +112,7 @@ Motion simulate(const MechanismDefinition& definition,
   refer_to_given_frames(definition, motion);
   require_direction(definition, frame.length, motion);
   motion.unshared = unshared_strains(definition, motion, frame.length);
-  forget_negligible(frame.length, motion);
+  forget_negligible(definition.joints, frame.length, motion);
   motion.drive_jumps = drive_jumps(definition.drives, settings.duration);
   return motion;
 }

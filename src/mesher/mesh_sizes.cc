@@ -22,13 +22,13 @@
 namespace clevis::mesher {
 namespace {
 
-constexpr double kMillimetre = 1e-3;                  // [m]
-constexpr double kTurn = std::numbers::pi / 5;        // of a cell on a curve
-constexpr double kTurnOfSeat = std::numbers::pi / 8;  // which loads press on
-constexpr double kGrowth = 0.5;                       // per distance
-constexpr double kPerSize = 6.0;                      // cells along the part
-constexpr double kThinnest = 1.0 / 200.0;             // of the part's size
-constexpr int kSamples = 7;                           // per parameter
+constexpr double kMillimetre = 1e-3;                   // [m]
+constexpr double kTurn = std::numbers::pi / 4;         // of a cell on a curve
+constexpr double kTurnOfSeat = std::numbers::pi / 10;  // which loads press on
+constexpr double kGrowth = 0.5;                        // per distance
+constexpr double kPerSize = 6.0;                       // cells along the part
+constexpr double kThinnest = 1.0 / 200.0;              // of the part's size
+constexpr int kSamples = 7;                            // per parameter
 constexpr double kFar = 1e100;
 
 double diagonal(const TopoDS_Solid& solid) {

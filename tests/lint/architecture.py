@@ -218,7 +218,7 @@ PUBLIC = {
     "mechanism": "definition/definition definition/drive_names definition/motion"
                  " force_elements/breakaway force_elements/force_element joints/joint_types"
                  " neighbours/elements_at_rest neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/largest_reaction"
-                 " reactions/other_sharings simulate structure/joined_bodies structure/structure",
+                 " reactions/other_sharings simulate structure/joined_bodies structure/structure structure/tooth_paths",
     "machine": "bearings/bearing bearings/bearing_history bearings/bearing_life"
                " devices/ejector devices/slide_lever_closed_form"
                " transmissions/transmission",

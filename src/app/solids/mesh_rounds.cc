@@ -71,7 +71,7 @@ cad::Refinement finer_mesh(cad::Refinement last,
                            const std::vector<assessment::OpenPlace>& places,
                            const Eigen::Vector3d& peak) {
   constexpr double kEverywhere = 1.25, kAtPeak = 3.0;
-  constexpr double kLeast = 2.5, kMost = 3.5;
+  constexpr double kLeast = 2.5, kMost = 6.0;
   if (places.empty()) {
     last.everywhere *= kEverywhere;
     last.at.push_back({peak, kAtPeak});

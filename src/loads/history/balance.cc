@@ -40,8 +40,8 @@ LoadScale load_scale(const InstantLoad& instant,
   for (const SurfaceLoad& load : instant.surface_loads) {
     scale.force += load.total;
   }
-  scale.moment += size * scale.force;
-  return scale;
+  const double all = scale.force + scale.moment / size;  // couples press, too
+  return {.force = all, .moment = size * all};
 }
 
 /// Gives the part the acceleration by which its inertia balances a residual.

@@ -29,7 +29,7 @@ constexpr Index kWrench = 6;
 double largest_moment(const LoadHistory& history, std::size_t index,
                       const GroupGeometry& group) {
   const Seat& seat = history.seats[index];
-  const Vector3d axis = group.cylinder.axis_L.normalized();
+  const bool is_bore = seat.kind == SeatKind::kBearing;
   double largest = 0.0;
   for (const InstantLoad& instant : history.instants) {
     Vector3d moment = Vector3d::Zero();
@@ -40,9 +40,9 @@ double largest_moment(const LoadHistory& history, std::size_t index,
           about(wrench.force, wrench.moment, history.seats[s].p_LS, seat.p_LS)
               .moment;
     }
-    largest = std::max(largest, seat.kind == SeatKind::kBearing
-                                    ? std::abs(moment.dot(axis))
-                                    : moment.norm());
+    largest =
+        std::max(largest, is_bore ? std::abs(moment.dot(group.cylinder.axis_L))
+                                  : moment.norm());
   }
   return largest;
 }

@@ -12,6 +12,7 @@
 #include "loads/seats/slide_zone.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/joints/joint_types.h"
+#include "mechanism/structure/tooth_paths.h"
 
 namespace clevis::loads {
 
@@ -153,9 +154,10 @@ void require_seats(const SeatContext& context) {
           fmt::format("coupling \"{}\" acts on the part by joint \"{}\", and "
                       "its tooth force is not resolved: no face takes it",
                       coupling.name, joint.name),
-          "Give the toothed wheel a body of its own with that joint, welded to "
-          "the part: pins = { WELD = \"face\" }; or check the part by a "
-          "[[part.history]] with the forces on its teeth.");
+          "Where the wheel has its bearing there, give it a body of its own "
+          "with that joint, welded to the part: pins = { WELD = \"face\" }; "
+          "else check the part by a [[part.history]] with the forces on its "
+          "teeth.");
     }
   }
   std::string missing;
@@ -183,6 +185,27 @@ void require_seats(const SeatContext& context) {
                 "no group of the mesh takes the load of " + missing,
                 "Add them: pins = { JOINT = \"group\" }, drives = { JOINT = { "
                 "face = \"group\" } }.");
+  }
+}
+
+void require_tooth_forces(const SeatContext& context,
+                          const mechanism::Motion& motion) {
+  const auto& definition = context.definition;
+  for (const auto& coupling : definition.couplings) {
+    for (const std::size_t index :
+         mechanism::joints_without_teeth(definition, motion, coupling)) {
+      const auto& joint = definition.joints[index];
+      if (joint.body_a != context.body && joint.body_b != context.body)
+        continue;
+      throw Error(
+          "L004", context.place("seats"),
+          fmt::format("the tooth force of coupling \"{}\" is not resolved, and "
+                      "the part has its share of it by joint \"{}\"",
+                      coupling.name, joint.name),
+          "Let both joints of the coupling have one body in common, which "
+          "takes the teeth's forces from both; or check the part by a "
+          "[[part.history]] with them.");
+    }
   }
 }
 

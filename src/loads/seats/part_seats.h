@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loads/seats/seat_context.h"
+#include "mechanism/definition/motion.h"
 
 namespace clevis::loads {
 
@@ -16,6 +17,12 @@ std::vector<GroupGeometry> pressurized_groups(
 /// Refuses a body on which a joint or drive acts that has no seat.
 /// @throws Error L004.
 void require_seats(const SeatContext& context);
+
+/// Refuses a body on which a coupling's tooth force acts by other joints than
+/// the coupled ones: it is not in their reactions.
+/// @throws Error L004.
+void require_tooth_forces(const SeatContext& context,
+                          const mechanism::Motion& motion);
 
 /// Seats of the joints, in the order of the part's definition.
 /// @throws Error L002, L003, L004, M003.

@@ -101,8 +101,9 @@ std::vector<Coordinate> open_coordinates(const MechanismDefinition& definition,
                                          const std::vector<int>& loaded,
                                          const Motion& motion, double length) {
   std::vector<Coordinate> coordinates;
-  const double force = kNegligibleReaction * largest_reaction(motion, length);
+  const auto beside = reactions_beside(definition.joints, motion, length);
   for (std::size_t j = 0; j < definition.joints.size(); ++j) {
+    const double force = kNegligibleReaction * beside[j];
     for (const bool is_moment : {false, true}) {
       const std::size_t first = is_moment ? 3 : 0;
       const double negligible = is_moment ? force * length : force;
@@ -367,11 +368,12 @@ Motion shared_anew(const MechanismDefinition& definition,
   return Sharer(definition).shared(motion);
 }
 
-void forget_negligible(double length, Motion& motion) {
+void forget_negligible(const std::vector<JointDefinition>& joints,
+                       double length, Motion& motion) {
   if (motion.instants.empty()) return;
-  const double force = kNegligibleReaction * largest_reaction(motion, length);
-  const std::size_t joints = motion.instants.front().joints.size();
-  for (std::size_t j = 0; j < joints; ++j) {
+  const auto beside = reactions_beside(joints, motion, length);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double force = kNegligibleReaction * beside[j];
     bool matters = false;
     for (std::size_t k = 0; k < 6; ++k) {
       matters |= is_open(motion, j, k, k < 3 ? force : force * length);

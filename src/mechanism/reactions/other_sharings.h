@@ -16,8 +16,8 @@ inline constexpr double kUnknownCompliance = 100.0;
 inline constexpr double kBesideElasticLinks = 10.0;
 inline constexpr double kGivenCompliance = 2.0;
 
-/// Reactions below this part of the motion's largest decide nothing; nor does
-/// it matter that equilibrium leaves them open.
+/// Reactions below this part of the largest on the same body decide nothing;
+/// nor does it matter that equilibrium leaves them open.
 inline constexpr double kNegligibleReaction = 1e-6;
 
 /// The same motion with its reactions as joints of other compliance share what
@@ -62,8 +62,9 @@ Motion shared_anew(const MechanismDefinition& definition, const Motion& motion);
 
 /// Counts the reaction of a joint as unique where all that equilibrium leaves
 /// open of it is negligible, over the whole motion: below kNegligibleReaction
-/// of the largest reaction, and so by how much it may change.
+/// of the reactions beside it, and so by how much it may change.
 /// @param length  over which moments count as forces [m].
-void forget_negligible(double length, Motion& motion);
+void forget_negligible(const std::vector<JointDefinition>& joints,
+                       double length, Motion& motion);
 
 }  // namespace clevis::mechanism

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <vector>
 
 #include "base/values/index.h"
@@ -96,12 +97,17 @@ bool is_loaded(const LinkCompliance& link, const Instant& instant, int body) {
 UnsharedStrains unshared_strains(const MechanismDefinition& definition,
                                  const Motion& motion, double length) {
   constexpr double kCounts = 0.01;
-  const double counts = kCounts * largest_reaction(motion, length);
+  const auto beside = reactions_beside(definition.joints, motion, length);
   const std::vector<Joints> open = open_joints(definition, motion);
   UnsharedStrains found;
   for (int body = 0; body < static_cast<int>(open.size()); ++body) {
     const Joints& joints = open[index(body)];
     if (joints.empty()) continue;
+    const double counts =
+        kCounts * std::ranges::min(
+                      joints | std::views::transform([&beside](std::size_t j) {
+                        return beside[j];
+                      }));
     const BodyDefinition& of = definition.bodies[index(body)];
     const auto& elastic = of.compliance;
     if (std::ranges::any_of(motion.instants, [&](const Instant& instant) {

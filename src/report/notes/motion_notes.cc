@@ -12,6 +12,7 @@
 
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/force_elements/breakaway.h"
+#include "mechanism/structure/tooth_paths.h"
 #include "report/notes/definition_notes.h"
 #include "report/notes/element_notes.h"
 #include "report/text/units.h"
@@ -355,6 +356,22 @@ void add_unshared(const MechanismDefinition& definition, const Motion& motion,
   }
 }
 
+void add_teeth(const MechanismDefinition& definition, const Motion& motion,
+               std::vector<std::string>& notes) {
+  for (const auto& coupling : definition.couplings) {
+    std::vector<std::string> names;
+    for (const std::size_t joint :
+         mechanism::joints_without_teeth(definition, motion, coupling)) {
+      names.push_back(definition.joints[joint].name);
+    }
+    notes.push_back(fmt::format(
+        "coupling {}: each joint takes its torque or force along its "
+        "coordinate alone. What teeth press across it with is not in the "
+        "reactions of {}",
+        coupling.name, fmt::join(names, ", ")));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> motion_notes(const MechanismDefinition& definition,
@@ -369,6 +386,7 @@ std::vector<std::string> motion_notes(const MechanismDefinition& definition,
   add_search(motion, notes);
   add_breakaway(definition, motion, notes);
   add_unshared(definition, motion, notes);
+  add_teeth(definition, motion, notes);
   add_element_notes(definition, motion, notes);
   return notes;
 }
