@@ -51,5 +51,24 @@ TEST(Balance, RoundOffOfTheMechanismIsNoLoad) {
   EXPECT_THROW(require_balance(history, mass, 0.1, "part", 3e2), Error);
 }
 
+// Couples press a part as forces at its ends do: what they leave of a force by
+// round-off is no load.
+TEST(Balance, CouplesAloneBalance) {
+  const auto mass = mass_of(0.2, {0.0, 0.0, 0.0});
+  const double size = 0.1, couple = 30.0;
+  LoadHistory history;
+  history.seats.resize(2);
+  InstantLoad& instant = history.instants.emplace_back();
+  const auto leave = [&](double force) {
+    instant.wrenches = {
+        {.force = {force, 0.0, 0.0}, .moment = {0.0, 0.0, couple}},
+        {.moment = {0.0, 0.0, -couple}}};
+  };
+  leave(2e-13);
+  EXPECT_NO_THROW(require_balance(history, mass, size, "part"));
+  leave(1e-3 * couple / size);
+  EXPECT_THROW(require_balance(history, mass, size, "part"), Error);
+}
+
 }  // namespace
 }  // namespace clevis::loads

@@ -244,5 +244,27 @@ TEST(OtherSharings, AHairOffThePlaneDecidesNothing) {
   }
 }
 
+// A link is open whatever a press beside it, on the same ground, bears.
+TEST(OtherSharings, WhatOtherBodiesBearMakesNothingNegligible) {
+  MechanismDefinition m = link_on_two_hinges();
+  BodyDefinition press = m.bodies[0];
+  press.name = "press";
+  m.bodies.push_back(press);
+  JointDefinition foot;
+  foot.name = "foot";
+  foot.type = JointType::kWeld;
+  foot.body_b = 1;
+  m.joints.push_back(foot);
+  ConstantForce load;
+  load.name = "load";
+  load.point.body = 1;
+  load.f_W = {0.0, -1e7 * kForce, 0.0};
+  m.elements.emplace_back(load);
+  const Motion motion = simulate(m, kSettings);
+  EXPECT_FALSE(motion.instants[0].joints[0].unique);
+  EXPECT_TRUE(motion.instants[0].joints[2].unique);
+  EXPECT_EQ(OtherSharings(m, motion).size(), 2u);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
