@@ -119,6 +119,19 @@ std::string not_followed(const PartJob& job, const LoadSet& given,
       until);
 }
 
+/// Bodies of next to no mass that forces hang on, or laws of any size, may take
+/// the numbers out of their range: then nothing is known.
+void require_finite(VibrationResult& found) {
+  if (!found.ratio || std::isfinite(*found.ratio + found.error() +
+                                    found.still_error + found.deflection)) {
+    return;
+  }
+  found = {};
+  found.failure =
+      "its numbers overflow: see whether a body beside the part has next to no "
+      "mass, and seat what acts on it on the part itself";
+}
+
 /// Of one load set; nothing where its loads are followed at rest.
 std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
                                             HeldMotions& held,
@@ -152,6 +165,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
     stretches.push_back({stretch.hold_time, std::move(there)});
   }
   found = largest_vibration(moving, stretches);
+  require_finite(found);
   found.not_followed = unknown;
   found.seconds = watch.lap();
   return found;
