@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "machine/bearings/bearing_history.h"
+#include "mechanism/structure/tooth_paths.h"
 #include "part/verdict.h"
 
 namespace clevis::machine {
@@ -260,8 +262,8 @@ BearingResult judge_bearing(const BearingDefinition& bearing,
   if (geared) {
     result.warnings.push_back(
         {"B007",
-         "a gear or rack turns the joint: the force of its teeth is "
-         "not in the load"});
+         "teeth of a gear or rack load the joint, and their force is not in "
+         "the load"});
   }
   decide(result);
   return result;
@@ -273,10 +275,11 @@ std::vector<BearingResult> judge_bearings(
     const mechanism::Motion& motion) {
   std::vector<BearingResult> results;
   for (const BearingDefinition& bearing : bearings) {
-    const bool geared =
-        std::ranges::any_of(mechanism.couplings, [&](const auto& coupling) {
-          return coupling.joint_1 == bearing.joint ||
-                 coupling.joint_2 == bearing.joint;
+    const bool geared = std::ranges::any_of(
+        mechanism.couplings, [&](const mechanism::CouplingDefinition& teeth) {
+          return std::ranges::binary_search(
+              mechanism::joints_without_teeth(mechanism, motion, teeth),
+              static_cast<std::size_t>(bearing.joint));
         });
     results.push_back(judge_bearing(
         bearing, bearing_history(bearing, mechanism, motion), geared));

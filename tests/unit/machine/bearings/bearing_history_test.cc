@@ -112,17 +112,38 @@ TEST(BearingHistory, WeightSplitsAlongAndAcrossALeaningAxis) {
   }
 }
 
-TEST(BearingHistory, BearingOfAGearedJointCannotPass) {
+// A wheel on the ground and a pinion in a housing that turns on the ground: the
+// teeth load the housing's bearing, too.
+TEST(BearingHistory, BearingThatTeethLoadCannotPass) {
   MechanismDefinition m = flywheel(0.0);
+  m.bodies.resize(3, m.bodies[0]);
+  m.joints.resize(3, m.joints[0]);
+  m.drives.resize(3, m.drives[0]);
+  m.joints[1].body_b = 1;
+  m.joints[2].body_a = 1;
+  m.joints[2].body_b = 2;
+  m.joints[2].frame_a = m.joints[2].frame_b;
+  m.drives[1].joint = 1;
+  m.drives[2].joint = 2;
   const auto motion = simulate(m, {.duration = 1.0, .instants = 11});
-  BearingDefinition bearing = bearing_in(0);
-  bearing.dynamic_factors = AxialFactors{1.0, 1.0, 0.0};
-  bearing.static_factors = AxialFactors{1.0, 1.0, 0.0};
-  EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
-            part::Verdict::kPass);
-  m.couplings.push_back({.joint_1 = 1, .joint_2 = 0});
-  EXPECT_EQ(judge_bearings({bearing}, m, motion)[0].verdict,
-            part::Verdict::kNotJudged);
+  const auto judged = [&](int joint) {
+    BearingDefinition bearing = bearing_in(joint);
+    bearing.dynamic_factors = AxialFactors{1.0, 1.0, 0.0};
+    bearing.static_factors = AxialFactors{1.0, 1.0, 0.0};
+    return judge_bearings({bearing}, m, motion)[0].verdict;
+  };
+  for (const int joint : {0, 1, 2}) {
+    EXPECT_EQ(judged(joint), part::Verdict::kPass) << joint;
+  }
+  m.couplings.push_back({.joint_1 = 0, .joint_2 = 1});
+  for (const int joint : {0, 1}) {
+    EXPECT_EQ(judged(joint), part::Verdict::kNotJudged) << joint;
+  }
+  EXPECT_EQ(judged(2), part::Verdict::kPass);
+  m.couplings[0].joint_2 = 2;
+  for (const int joint : {0, 1, 2}) {
+    EXPECT_EQ(judged(joint), part::Verdict::kNotJudged) << joint;
+  }
 }
 
 }  // namespace
