@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <future>
 #include <iostream>
 #include <numeric>
 #include <optional>
@@ -69,8 +70,11 @@ std::string check_one(const PartJob& job,
   try {
     auto [last_job, assessment] = checked_part();
     Stopwatch watch;
-    write_part_files(assessment, files, job.part.material.yield_strength,
-                     folder);
+    // Its fields pack while the picture is drawn.
+    auto fields = std::async([&] {
+      write_part_files(assessment, files, job.part.material.yield_strength,
+                       folder);
+    });
     if (files.moving) {
       report::write_file(folder / (job.part.name + "_loads.csv"),
                          loads_csv(job.load_sets.front().history));
@@ -78,6 +82,7 @@ std::string check_one(const PartJob& job,
     const auto view = surface_view(last_job, assessment, files.moving, body);
     report::write_part_view(view, folder);
     report::write_part_picture(view, assessment.result, folder);
+    fields.get();
     assessment.result.seconds.write = watch.lap();
     assessment.result.seconds.total += assessment.result.seconds.write;
     return kResult + report::encode(assessment.result);

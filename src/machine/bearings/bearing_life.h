@@ -23,9 +23,8 @@ TravelMean travel_mean(const BearingDefinition& bearing,
                        std::size_t every = 1);
 
 /// Life and static safety of a bearing ([ISO281], [ISO76]).
-/// @param geared  the force of a gear's or rack's teeth is on the joint, and
-/// not
-///   in the history.
+/// @param geared  teeth press on the joint, and their force is not in the
+///   history.
 /// @pre at least two instants.
 BearingResult judge_bearing(const BearingDefinition& bearing,
                             std::span<const BearingInstant> history,

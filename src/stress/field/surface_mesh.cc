@@ -1,9 +1,12 @@
 #include "stress/field/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "elasticity/fe_space/tabulation.h"
 #include "mesh/basis/simplex_basis.h"
@@ -164,38 +167,47 @@ std::vector<int> along_a_curve(const InstantField& field) {
   return cells;
 }
 
-/// A facet of a cell, and how many cells have it.
-struct SharedFacet {
+/// A facet of a cell.
+struct CellFacet {
   int cell{};
   const Facet* facet{};
-  int cells = 0;
 };
 
+/// Those of one cell alone.
 /// @param cells  in the order in which their facets come.
-std::vector<SharedFacet> outer_facets(const CellPattern& pattern,
-                                      const InstantField& field,
-                                      const std::vector<int>& cells) {
+std::vector<CellFacet> outer_facets(const CellPattern& pattern,
+                                    const InstantField& field,
+                                    const std::vector<int>& cells) {
+  constexpr std::size_t kMostPoints = 4;
+  using Points = std::array<int, kMostPoints>;
   const auto [low, high] = extent_of(field);
   PointNumbers number_of(low, high);
-  std::map<std::vector<int>, std::size_t> known;
-  std::vector<SharedFacet> facets;
+  std::vector<CellFacet> facets;
+  std::vector<std::pair<Points, std::size_t>> places;  // by their points
   for (const int c : cells) {
     const auto& points = field.points[static_cast<std::size_t>(c)];
     for (const Facet& facet : pattern.facets) {
-      std::vector<int> key;
-      for (const int q : facet) {
-        key.push_back(number_of(points.row(q).transpose()));
-      }
+      Points key;
+      key.fill(-1);
+      std::ranges::transform(facet, key.begin(), [&](int q) {
+        return number_of(points.row(q).transpose());
+      });
       std::ranges::sort(key);
-      const auto [found, is_new] = known.try_emplace(key, facets.size());
-      if (is_new) facets.push_back({c, &facet, 0});
-      ++facets[found->second].cells;
+      places.emplace_back(key, facets.size());
+      facets.push_back({c, &facet});
     }
   }
-  std::erase_if(facets, [](const SharedFacet& f) {
-    return f.cells > 1;
-  });
-  return facets;
+  std::ranges::sort(places);
+  std::vector<bool> is_shared(facets.size(), false);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i].first != places[i - 1].first) continue;
+    is_shared[places[i].second] = is_shared[places[i - 1].second] = true;
+  }
+  std::vector<CellFacet> outer;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (!is_shared[f]) outer.push_back(facets[f]);
+  }
+  return outer;
 }
 
 /// Collects points in the order in which they are asked for.
@@ -254,7 +266,7 @@ SurfaceMesh surface_mesh(mesh::CellShape shape, const InstantField& field) {
       add_triangles(c, facet, place, surface);
     }
   }
-  for (const SharedFacet& outer : outer_facets(pattern, field, cells)) {
+  for (const CellFacet& outer : outer_facets(pattern, field, cells)) {
     if constexpr (dim == 3) {
       add_triangles(outer.cell, *outer.facet, place, surface);
     } else {

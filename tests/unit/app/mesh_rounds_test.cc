@@ -207,7 +207,7 @@ TEST(FinerMesh, IsFinerWhereTheErrorIsLarger) {
   ASSERT_EQ(finer.at.size(), 3U);
   EXPECT_EQ(finer.at[0].at, small);
   EXPECT_LT(finer.at[0].times, finer.at[1].times);
-  EXPECT_DOUBLE_EQ(finer.at[2].times, 3.5);
+  EXPECT_DOUBLE_EQ(finer.at[2].times, 6.0);
 }
 
 TEST(FinerMesh, WithoutPlacesIsFinerEverywhere) {
