@@ -20,7 +20,7 @@ void widen(double tolerance, double model_error, PeakStress& peak) {
                               peak.band_high - peak.value - peak.shares.time -
                                   peak.shares.change_points);
   peak.shares.model = peak.model_error;
-  peak.band_low -= peak.model_error;
+  peak.band_low = std::max(0.0, peak.band_low - peak.model_error);
   peak.band_high += peak.model_error;
   const double half_width = peak.discretization_error + peak.model_error;
   if (peak.verdict == PeakVerdict::kConverged && model_error > 0.0 &&

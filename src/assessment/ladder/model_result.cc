@@ -273,7 +273,7 @@ std::optional<SupportStress> support_stress(
     const auto& before = degrees[degrees.size() - 2];
     const double change =
         std::abs(held->value - (before ? before->value : 0.0));
-    held->band_low -= change;
+    held->band_low = std::max(0.0, held->band_low - change);
     held->band_high += change;
   }
   return held;
