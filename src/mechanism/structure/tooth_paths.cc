@@ -2,22 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
-
-#include "base/values/index.h"
 
 namespace clevis::mechanism {
 namespace {
 
 using Bodies = std::vector<BodyIndex>;
 
+/// Place in a list of the ground and the bodies behind it.
+std::size_t at(BodyIndex body) {
+  return static_cast<std::size_t>(body - kGround);
+}
+
 /// Bodies, ground among them, that hang together with some without one.
 std::vector<bool> reached(const MechanismDefinition& definition,
                           const std::vector<bool>& passes, const Bodies& from,
                           BodyIndex without) {
-  const auto at = [](BodyIndex body) {
-    return static_cast<std::size_t>(body - kGround);
-  };
   std::vector<bool> found(definition.bodies.size() + 1, false);
   Bodies ends;
   const auto take = [&](BodyIndex body) {
@@ -45,9 +46,6 @@ std::vector<bool> reached(const MechanismDefinition& definition,
 std::vector<bool> joints_between(const MechanismDefinition& definition,
                                  std::vector<bool> passes,
                                  const Bodies& bodies) {
-  const auto at = [](BodyIndex body) {
-    return static_cast<std::size_t>(body - kGround);
-  };
   std::vector<bool> between = passes;
   const auto count = static_cast<BodyIndex>(definition.bodies.size());
   for (BodyIndex without = kGround; without < count; ++without) {
