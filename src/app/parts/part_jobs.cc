@@ -11,9 +11,11 @@
 #include "app/parts/impact_jobs.h"
 #include "app/parts/open_sharing.h"
 #include "base/messages/errors.h"
+#include "loads/history/balance.h"
 #include "loads/holds/seat_hold.h"
 #include "loads/parts/partial_walls.h"
 #include "loads/parts/series_loads.h"
+#include "loads/seats/part_seats.h"
 #include "loads/seats/seat_spans.h"
 #include "mesh/quality/mass_properties.h"
 
@@ -234,6 +236,10 @@ PartJob part_job(const LoadedScene& loaded, const mechanism::Motion& motion,
   const auto& definition = loaded.scene.mechanism;
   const BodyIndex body = loaded.body_of(part.definition.name);
   if (body != mechanism::kGround) {
+    // Of other sharings all that is open is marked, however little.
+    loads::require_tooth_forces({definition, body, part.definition, part.groups,
+                                 loads::part_size(part.groups, part.mass)},
+                                motion);
     job.load_sets.push_back(
         {loads::part_loads(definition, motion, body, part.definition,
                            part.groups, part.mass, seat_spans(loaded)),

@@ -121,7 +121,7 @@ std::string not_followed(const PartJob& job, const LoadSet& given,
 
 /// Bodies of next to no mass that forces hang on, or laws of any size, may take
 /// the numbers out of their range: then nothing is known.
-void require_finite(VibrationResult& found) {
+void tell_overflow(VibrationResult& found) {
   if (!found.ratio || std::isfinite(*found.ratio + found.error() +
                                     found.still_error + found.deflection)) {
     return;
@@ -165,7 +165,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
     stretches.push_back({stretch.hold_time, std::move(there)});
   }
   found = largest_vibration(moving, stretches);
-  require_finite(found);
+  tell_overflow(found);
   found.not_followed = unknown;
   found.seconds = watch.lap();
   return found;

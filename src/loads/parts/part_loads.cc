@@ -247,7 +247,6 @@ LoadHistory part_loads(const mechanism::MechanismDefinition& definition,
   const SeatContext context{definition, body, part, groups,
                             part_size(groups, mass)};
   require_seats(context);
-  require_tooth_forces(context, motion);
   require_force_seats(context);
   const std::vector<JointSeat> by_joint = joint_seats(context);
   const std::vector<DrivenSeat> by_drive = driven_seats(context);

@@ -195,7 +195,11 @@ void require_tooth_forces(const SeatContext& context,
     for (const std::size_t index :
          mechanism::joints_without_teeth(definition, motion, coupling)) {
       const auto& joint = definition.joints[index];
-      if (joint.body_a != context.body && joint.body_b != context.body)
+      const bool is_coupled =  // require_seats
+          std::cmp_equal(index, coupling.joint_1) ||
+          std::cmp_equal(index, coupling.joint_2);
+      if (is_coupled ||
+          (joint.body_a != context.body && joint.body_b != context.body))
         continue;
       throw Error(
           "L004", context.place("seats"),

@@ -26,6 +26,7 @@ double largest_reaction(const Motion& motion, double length) {
 std::vector<double> reactions_beside(const std::vector<JointDefinition>& joints,
                                      const Motion& motion, double length) {
   constexpr double kRoundOff = 1e-6;  // of the motion's, beside what is little
+  if (joints.empty()) return {};
   std::vector<double> of_joints(joints.size(), 0.0);
   for (const Instant& instant : motion.instants) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -39,7 +40,7 @@ std::vector<double> reactions_beside(const std::vector<JointDefinition>& joints,
       largest = std::max(largest, of_joints[j]);
     }
   }
-  const double of_motion = largest_reaction(motion, length);
+  const double of_motion = *std::ranges::max_element(of_joints);
   std::vector<double> beside;
   for (const JointDefinition& joint : joints) {
     double least = of_motion;

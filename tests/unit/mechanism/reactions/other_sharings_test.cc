@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanism/reactions/largest_reaction.h"
 #include "mechanism/simulate.h"
 #include "support/bennett.h"
 #include "support/newton_euler.h"
@@ -242,6 +243,29 @@ TEST(OtherSharings, AHairOffThePlaneDecidesNothing) {
     }
     EXPECT_EQ(OtherSharings(m, motion).size() > 0, is_open);
   }
+}
+
+TEST(LargestReaction, BesideAJointIsThatOfItsBodyLoadedLeast) {
+  Motion motion;
+  Instant& instant = motion.instants.emplace_back();
+  std::vector<JointDefinition> joints;
+  const auto add = [&](BodyIndex a, BodyIndex b, double force) {
+    JointDefinition& joint = joints.emplace_back();
+    joint.body_a = a;
+    joint.body_b = b;
+    instant.joints.emplace_back().f_W = {force, 0.0, 0.0};
+  };
+  add(kGround, 0, 100.0);
+  add(0, 1, 2.0);
+  add(1, kGround, 0.1);
+  add(kGround, 2, 1e-9);  // round-off of the first
+  instant.joints[2].t_W = {0.0, 0.0, 1.5};
+  const auto beside = reactions_beside(joints, motion, 0.5);
+  ASSERT_EQ(beside.size(), 4u);
+  EXPECT_DOUBLE_EQ(beside[0], 100.0);
+  EXPECT_DOUBLE_EQ(beside[1], 3.0);
+  EXPECT_DOUBLE_EQ(beside[2], 3.0);
+  EXPECT_DOUBLE_EQ(beside[3], 1e-4);
 }
 
 // A link is open whatever a press beside it, on the same ground, bears.
