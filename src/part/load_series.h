@@ -52,6 +52,9 @@ struct LoadSeries {
   double largest_imbalance{};
   Supports fixed;
   Foundations foundations;
+  /// Bores of the seats whose pins hold the part: nothing else does. Empty:
+  /// what holds it is not known.
+  std::vector<std::string> held_by_pin = {};
   std::string place;  ///< file:line:column of the table
 };
 

@@ -47,15 +47,38 @@ Mesh.RecombineAll = 1; Mesh.ElementOrder = 2;
 """
 
 
+def bar_scene(limits, loads):
+    return (scene_text.head("bar", world="") + scene_text.BAR +
+            f'thickness = "{THICK} mm"\nlimits = {{ {limits} }}\n' + loads)
+
+
 def check_bar(folder, limits, case, exits=(1,)):
-    (folder / "bar.toml").write_text(scene_text.head("bar", world="") + scene_text.BAR + f"""\
-thickness = "{THICK} mm"
-limits = {{ {limits} }}
-[[part.case]]
-name = "case"
-{case}
-""")
+    (folder / "bar.toml").write_text(
+        bar_scene(limits, f'[[part.case]]\nname = "case"\n{case}\n'))
     return support.check(CLEVIS, folder / "bar.toml", exits=exits).part
+
+
+def check_history(folder, limits, held, forces, exits=(1,)):
+    """The same by [[part.history]]. held: its key, or nothing. forces: by bore and
+    component."""
+    (folder / "forces.csv").write_text(
+        "time [s]," + ",".join(f"{bore}.force_{axis} [N]" for bore, axis in forces) +
+        "\n0," + ",".join(repr(force) for force in forces.values()) + "\n")
+    (folder / "history.toml").write_text(bar_scene(
+        limits, f'[[part.history]]\nname = "row"\nfile = "forces.csv"\n{held}\n'))
+    return support.check(CLEVIS, folder / "history.toml", exits=exits)
+
+
+def check_refusals(folder):
+    """What cannot hold: a bore that no pin of the file presses on, one named twice,
+    none, and pins beside supports."""
+    forces = {("bore_A", "x"): -500.0, ("bore_C", "x"): 500.0}
+    for held, code in (('held_by_pin = ["bore_B"]', "S007"), ("held_by_pin = []", "S006"),
+                       ('held_by_pin = ["bore_A", "bore_A"]', "S008"),
+                       ('held_by_pin = ["bore_A"]\nfixed = { bore_C = ["x"] }', "S010")):
+        told = check_history(folder, "buckling = 3", held, forces, (10,))
+        if code not in told.codes:
+            sys.exit(f"{held}: {code} expected\n{told.text}")
 
 
 def check_held_and_loaded(folder):
@@ -73,6 +96,19 @@ def check_held_and_loaded(folder):
                      'held_by_pin = ["bore_B", "bore_C"]\n'
                      f'pins = {{ bore_A = ["0 N", "{-LOAD} N", "0 N"] }}')
     near("overhang: deflection", part["deflection_mm"], tip, 0.015 * tip)
+    # by the pins that hold, and else by the first two
+    pushed = LOAD * LEFT / RIGHT
+    forces = {("bore_A", "y"): -LOAD, ("bore_B", "y"): LOAD + pushed, ("bore_C", "y"): -pushed}
+    for held, wanted in (('held_by_pin = ["bore_B", "bore_C"]', tip), ("", None)):
+        answer = check_history(folder, 'deflection = "0.6 mm"', held, forces,
+                               (1,) if held else (0, 1))
+        found = answer.part["deflection_mm"]
+        if ("what holds the part is not in its loads" in answer.text) == bool(held):
+            sys.exit(f"{held}: told what holds the part?\n{answer.text}")
+        if wanted:
+            near("overhang as a history: deflection", found, wanted, 0.015 * wanted)
+        elif abs(found - tip) < 0.1 * tip:
+            sys.exit("a history without `held_by_pin` refers to the pins that hold")
     press = 500.0
     column = (math.pi**2 * modulus * HEIGHT * THICK**3 / 12 /
               (4 * (LEFT + RIGHT)**2) / press)
@@ -80,6 +116,11 @@ def check_held_and_loaded(folder):
                      f'pins = {{ bore_C = ["{-press} N", "0 N", "0 N"] }}')
     # less by the bore and by its pin's give
     near("pressed at its free end: buckling", part["buckling"]["factor"], column, 0.03 * column)
+    answer = check_history(folder, "buckling = 3", 'held_by_pin = ["bore_A"]',
+                           {("bore_A", "x"): press, ("bore_C", "x"): -press})
+    near("the same as a history", answer.part["buckling"]["factor"], part["buckling"]["factor"],
+         1e-3 * column)
+    check_refusals(folder)
     # Pushed across as well, the moment on its pin grows by tan(kl)/(kl), and so what
     # the pin presses at the ends of its bore.
     press = 450.0

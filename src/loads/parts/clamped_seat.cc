@@ -135,7 +135,7 @@ void hold_clamped_seat(const std::vector<GroupGeometry>& groups, double size,
     history.notes.push_back(fmt::format(
         "what holds the part is not in its loads: its deflection is relative "
         "to {} and it vibrates as a free part. If one end is clamped, `fixed` "
-        "or a `foundation` there says so",
+        "or a `foundation` there says so, of pins that hold it `held_by_pin`",
         pins.empty()
             ? "its own mean motion"
             : fmt::format(

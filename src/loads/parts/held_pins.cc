@@ -45,18 +45,17 @@ Vector3d mean_point(const std::vector<part::Bore>& pins) {
   return sum / static_cast<double>(pins.size());
 }
 
-/// What pins hold on the last of some seats: SeatHold::held.
+/// What pins hold on their seats, the last of each bore: SeatHold::held.
 MatrixXd held_by(const std::vector<std::string>& bores,
                  const std::vector<GroupGeometry>& groups,
-                 const std::string& place, std::size_t seats) {
-  const auto pins = static_cast<Index>(bores.size());
+                 const std::string& place, const std::vector<Seat>& seats) {
   MatrixXd held =
-      MatrixXd::Zero(6 * static_cast<Index>(seats), kComponents * pins);
-  for (Index i = 0; i < pins; ++i) {
-    const Vector3d& axis =
-        find_group(groups, bores[static_cast<std::size_t>(i)], place)
-            .cylinder.axis_L;
-    held.block<6, kComponents>(held.rows() - 6 * (pins - i), kComponents * i) =
+      MatrixXd::Zero(6 * std::ssize(seats), kComponents * std::ssize(bores));
+  for (std::size_t i = 0; i < bores.size(); ++i) {
+    const Vector3d& axis = find_group(groups, bores[i], place).cylinder.axis_L;
+    Index seat = std::ssize(seats) - 1;
+    while (seats[static_cast<std::size_t>(seat)].group != bores[i]) --seat;
+    held.block<6, kComponents>(6 * seat, kComponents * static_cast<Index>(i)) =
         pin_action(axis);
   }
   return held;
@@ -195,6 +194,16 @@ PinReactions pins_in(const std::vector<std::string>& bores,
   return {std::move(pins), size};
 }
 
+void hold_by_loaded_pins(const std::vector<std::string>& bores,
+                         const std::vector<GroupGeometry>& groups,
+                         const std::string& place, LoadHistory& history) {
+  history.hold = [held =
+                      held_by(bores, groups, place, history.seats)](double t) {
+    return SeatHold{
+        .time = t, .held = held, .weighed = MatrixXd(held.rows(), 0)};
+  };
+}
+
 void hold_by_pins(const std::vector<std::string>& bores,
                   const std::vector<GroupGeometry>& groups,
                   const part::MassProperties& mass, double size,
@@ -210,10 +219,7 @@ void hold_by_pins(const std::vector<std::string>& bores,
                              .p_LS = group.cylinder.p_LC});
     instant.wrenches.push_back(reactions[i]);
   }
-  history.hold =
-      [held = held_by(bores, groups, place, history.seats.size())](double) {
-        return SeatHold{.held = held, .weighed = MatrixXd(held.rows(), 0)};
-      };
+  hold_by_loaded_pins(bores, groups, place, history);
   const Imbalance rest = imbalance(history, instant, mass, size);
   if (rest.relative() <= kLargestRelief) return;
   refuse_turn(bores, find_group(groups, bores.front(), place).cylinder.axis_L,

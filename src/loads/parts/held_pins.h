@@ -65,6 +65,12 @@ void hold_by_pins(const std::vector<std::string>& bores,
                   const std::string& place, LoadHistory& history,
                   InstantLoad& instant);
 
+/// The part is held by pins whose loads are among the history's.
+/// @param bores  groups of bearing seats of the history. @throws Error L002.
+void hold_by_loaded_pins(const std::vector<std::string>& bores,
+                         const std::vector<GroupGeometry>& groups,
+                         const std::string& place, LoadHistory& history);
+
 /// Reactions of the pins that hold a part where balance leaves some open.
 struct SharedPins {
   LoadHistory history;  ///< shared by the part's compliance, pins rigid

@@ -9,7 +9,9 @@
 
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
+#include "loads/holds/seat_hold.h"
 #include "loads/parts/clamped_seat.h"
+#include "loads/parts/held_pins.h"
 #include "loads/parts/surface_loads.h"
 
 namespace clevis::loads {
@@ -189,7 +191,13 @@ LoadHistory series_loads(const part::PartDefinition& part,
   }
   if (series.fixed.empty() && series.foundations.empty()) {
     balance(series, mass, part_size(groups, mass), place, history);
-    hold_clamped_seat(groups, part_size(groups, mass), history);
+    if (series.held_by_pin.empty()) {
+      hold_clamped_seat(groups, part_size(groups, mass), history);
+    } else {
+      hold_by_loaded_pins(series.held_by_pin, groups, place, history);
+      history.hold_time =
+          history.instants[hardest_instant(history.instants)].time;
+    }
   }
   return history;
 }
