@@ -4,13 +4,39 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/messages/errors.h"
 #include "elasticity/solid/seat_compliance.h"
 #include "loads/history/balance.h"
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
+#include "mechanism/definition/meshing_wheels.h"
 
 namespace clevis::app {
 namespace {
+
+/// The sharing of elastic links knows a coupling by its torques on the joints,
+/// which strain what carries its wheels otherwise than its teeth do.
+/// @throws Error L004.
+void require_no_teeth(const loads::SeatContext& context) {
+  for (const auto& coupling : context.definition.couplings) {
+    if (!coupling.teeth) continue;  // refused with its seats
+    const auto wheels =
+        mechanism::meshing_wheels(context.definition.joints, coupling);
+    if (context.body != wheels->carrier_1 &&
+        context.body != wheels->carrier_2) {
+      continue;
+    }
+    throw Error("L004", context.place("seats"),
+                fmt::format("the part carries the wheels of coupling \"{}\", "
+                            "whose teeth strain it: links = \"elastic\" leaves "
+                            "that out",
+                            coupling.name),
+                "Take links = \"rigid\" and give the joints compliances that "
+                "stand for the links too.");
+  }
+}
 
 mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
                                           const LoadedPart& part,
@@ -19,6 +45,7 @@ mechanism::LinkCompliance link_compliance(const LoadedScene& loaded,
                                    part.definition, part.groups,
                                    loads::part_size(part.groups, part.mass)};
   loads::require_seats(context);
+  require_no_teeth(context);
   mechanism::LinkCompliance link;
   std::vector<loads::Seat> seats;
   for (const loads::JointSeat& seat : loads::joint_seats(context)) {

@@ -1,7 +1,6 @@
 #include "loads/seats/part_seats.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "loads/seats/seat_fit.h"
 #include "loads/seats/slide_zone.h"
 #include "mechanism/definition/drive_names.h"
+#include "mechanism/definition/meshing_wheels.h"
 #include "mechanism/joints/joint_types.h"
 #include "mechanism/structure/tooth_paths.h"
 
@@ -81,6 +81,34 @@ GroupGeometry pressurized_group(const SeatContext& context,
   return group;
 }
 
+/// Nothing but their bearings loads it then. @pre the coupling has teeth.
+bool carries_wheels(const SeatContext& context,
+                    const mechanism::CouplingDefinition& coupling) {
+  const auto wheels =
+      mechanism::meshing_wheels(context.definition.joints, coupling);
+  return context.body == wheels->carrier_1 || context.body == wheels->carrier_2;
+}
+
+/// Of a wheel, whose teeth travel round it, and of what carries wheels whose
+/// teeth are not resolved.
+[[noreturn]] void refuse_teeth(const SeatContext& context,
+                               const mechanism::CouplingDefinition& coupling,
+                               const mechanism::JointDefinition& joint) {
+  throw Error(
+      "L004", context.place("seats"),
+      fmt::format("the teeth of coupling \"{}\" act on the part by joint "
+                  "\"{}\": no face takes their force{}",
+                  coupling.name, joint.name,
+                  coupling.teeth ? "" : ", which is not resolved"),
+      fmt::format("If the part is a wheel, or a shaft with one, give the wheel "
+                  "a body of its own with that joint, welded to the part: pins "
+                  "= {{ WELD = \"face\" }}{}; else check the part by a "
+                  "[[part.history]] with the forces on its teeth.",
+                  coupling.teeth ? ""
+                                 : "; and give the coupling its "
+                                   "`pressure_angle`"));
+}
+
 }  // namespace
 
 std::vector<GroupGeometry> pressurized_groups(
@@ -146,18 +174,10 @@ void require_seats(const SeatContext& context) {
     return joint.body_a == context.body || joint.body_b == context.body;
   };
   for (const auto& coupling : definition.couplings) {
+    if (coupling.teeth && carries_wheels(context, coupling)) continue;
     for (const int index : {coupling.joint_1, coupling.joint_2}) {
       const auto& joint = definition.joints[static_cast<std::size_t>(index)];
-      if (!on_body(joint)) continue;
-      throw Error(
-          "L004", context.place("seats"),
-          fmt::format("coupling \"{}\" acts on the part by joint \"{}\", and "
-                      "its tooth force is not resolved: no face takes it",
-                      coupling.name, joint.name),
-          "Where the wheel has its bearing there, give it a body of its own "
-          "with that joint, welded to the part: pins = { WELD = \"face\" }; "
-          "else check the part by a [[part.history]] with the forces on its "
-          "teeth.");
+      if (on_body(joint)) refuse_teeth(context, coupling, joint);
     }
   }
   std::string missing;
@@ -191,24 +211,26 @@ void require_seats(const SeatContext& context) {
 void require_tooth_forces(const SeatContext& context,
                           const mechanism::Motion& motion) {
   const auto& definition = context.definition;
-  for (const auto& coupling : definition.couplings) {
+  for (std::size_t k = 0; k < definition.couplings.size(); ++k) {
+    const auto& coupling = definition.couplings[k];
     for (const std::size_t index :
-         mechanism::joints_without_teeth(definition, motion, coupling)) {
+         mechanism::joints_without_teeth(definition, motion, k)) {
       const auto& joint = definition.joints[index];
-      const bool is_coupled =  // require_seats
-          std::cmp_equal(index, coupling.joint_1) ||
-          std::cmp_equal(index, coupling.joint_2);
-      if (is_coupled ||
-          (joint.body_a != context.body && joint.body_b != context.body))
+      if (joint.body_a != context.body && joint.body_b != context.body) {
         continue;
+      }
       throw Error(
           "L004", context.place("seats"),
           fmt::format("the tooth force of coupling \"{}\" is not resolved, and "
                       "the part has its share of it by joint \"{}\"",
                       coupling.name, joint.name),
-          "Let both joints of the coupling have one body in common, which "
-          "takes the teeth's forces from both; or check the part by a "
-          "[[part.history]] with them.");
+          coupling.teeth
+              ? "Equilibrium has to find the coupling's effort, and friction "
+                "that follows reactions does not know the teeth's; or check "
+                "the part by a [[part.history]] with their forces."
+              : "Give the coupling its `pressure_angle`, its joints one body "
+                "in common that carries both wheels; or check the part by a "
+                "[[part.history]] with the forces on its teeth.");
     }
   }
 }

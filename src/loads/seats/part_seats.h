@@ -18,8 +18,8 @@ std::vector<GroupGeometry> pressurized_groups(
 /// @throws Error L004.
 void require_seats(const SeatContext& context);
 
-/// Refuses a body on which a coupling's tooth force acts by other joints than
-/// the coupled ones: it is not in their reactions.
+/// Refuses a body on which a coupling's tooth force acts by joints in whose
+/// reactions it is not.
 /// @throws Error L004.
 void require_tooth_forces(const SeatContext& context,
                           const mechanism::Motion& motion);

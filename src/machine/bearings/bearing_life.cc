@@ -275,12 +275,15 @@ std::vector<BearingResult> judge_bearings(
     const mechanism::Motion& motion) {
   std::vector<BearingResult> results;
   for (const BearingDefinition& bearing : bearings) {
-    const bool geared = std::ranges::any_of(
-        mechanism.couplings, [&](const mechanism::CouplingDefinition& teeth) {
-          return std::ranges::binary_search(
-              mechanism::joints_without_teeth(mechanism, motion, teeth),
-              static_cast<std::size_t>(bearing.joint));
-        });
+    const auto lacks_teeth = [&](std::size_t coupling) {
+      return std::ranges::binary_search(
+          mechanism::joints_without_teeth(mechanism, motion, coupling),
+          static_cast<std::size_t>(bearing.joint));
+    };
+    bool geared = false;
+    for (std::size_t k = 0; k < mechanism.couplings.size(); ++k) {
+      geared = geared || lacks_teeth(k);
+    }
     results.push_back(judge_bearing(
         bearing, bearing_history(bearing, mechanism, motion), geared));
   }

@@ -11,6 +11,7 @@
 #include "base/values/index.h"
 #include "mechanism/constraints/plane.h"
 #include "mechanism/definition/drive_names.h"
+#include "mechanism/definition/meshing_wheels.h"
 #include "mechanism/joints/joint_types.h"
 #include "numerics/factors/jacobian_factor.h"
 #include "part/gyration.h"
@@ -214,6 +215,30 @@ std::vector<ElasticLink> elastic_links(const MechanismDefinition& definition) {
   return links;
 }
 
+ToothMesh tooth_mesh(const std::vector<JointDefinition>& joints,
+                     const CouplingDefinition& coupling,
+                     const CouplingModel& model) {
+  const ToothGeometry& teeth = *coupling.teeth;
+  const MeshingWheels wheels = *meshing_wheels(joints, coupling);
+  const auto side = [&](int joint, BodyIndex wheel) {
+    return joints[index(joint)].body_b == wheel ? 1.0 : -1.0;
+  };
+  const bool is_gear = model.row_1.is_angle();
+  return {
+      .wheel_1 = wheels.wheel_1 + 1,
+      .wheel_2 = wheels.wheel_2 + 1,
+      .carrier = wheels.carrier_1 + 1,
+      .side_1 = side(coupling.joint_1, wheels.wheel_1),
+      .side_2 = side(coupling.joint_2, wheels.wheel_2),
+      .row_1 = model.row_1,
+      .row_2 = model.row_2,
+      .circles = is_gear ? pitch_circles(joints, coupling) : PitchCircles{},
+      .radius = is_gear ? 0.0 : coupling.ratio,
+      .radial = std::tan(teeth.pressure_angle) / std::cos(teeth.helix_angle),
+      .axial = std::tan(teeth.helix_angle),
+      .mid_face = teeth.mid_face.value_or(0.0)};
+}
+
 CouplingModel coupling_model(const CouplingDefinition& coupling,
                              SolvingFrame& frame) {
   JointModel& first = frame.joints[index(coupling.joint_1)];
@@ -268,7 +293,11 @@ SolvingFrame::SolvingFrame(const MechanismDefinition& given) {
   set_compliances(definition, *this);
   links = elastic_links(definition);
   for (const CouplingDefinition& coupling : definition.couplings) {
-    couplings.push_back(coupling_model(coupling, *this));
+    CouplingModel& model =
+        couplings.emplace_back(coupling_model(coupling, *this));
+    if (coupling.teeth) {
+      model.teeth = tooth_mesh(definition.joints, coupling, model);
+    }
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "mechanism/constraints/tooth_mesh.h"
 #include "mechanism/definition/definition.h"
 #include "mechanism/joints/configuration.h"
 
@@ -18,6 +20,7 @@ struct CouplingModel {
   JointRow row_1, row_2;
   double ratio{}, offset{};
   double scale{};  ///< makes its row comparable with lengths
+  std::optional<ToothMesh> teeth = std::nullopt;
 };
 
 /// Compliance of a link, its points relative to its joints.

@@ -54,15 +54,26 @@ struct BodyDefinition {
   bool is_placed = true;  ///< false: the scene gives no placement
 };
 
+/// Teeth of two wheels with parallel axes, or of a rack and its pinion, whose
+/// bearings one body carries.
+struct ToothGeometry {
+  double pressure_angle{};  ///< of the normal section [rad]
+  double helix_angle{};     ///< > 0: the wheel of joint 1 is right-handed [rad]
+  /// Middle of the face width, from the point of joint 1, or of the pinion's
+  /// joint, along its axis [m]; nothing: both joints have their points there.
+  std::optional<double> mid_face;
+};
+
 /// Gear or rack: q_1 = ratio q_2 + offset between coordinates of two joints.
-/// The tooth force is not resolved: each coordinate takes its generalised
-/// force.
 struct CouplingDefinition {
   std::string name;
   int joint_1{}, coordinate_1{};
   int joint_2{}, coordinate_2{};
   double ratio{};                ///< unit of q_1 per unit of q_2
   std::optional<double> offset;  ///< without: that of the placement
+  /// Without, the tooth force is not resolved: each coordinate takes its
+  /// generalised force.
+  std::optional<ToothGeometry> teeth = std::nullopt;
   std::string place;
 };
 

@@ -49,9 +49,17 @@ struct JointReaction {
   }
 };
 
+/// Force of the teeth on the wheel of a coupling's first joint, at the pitch
+/// point; the other wheel feels the opposite there. In W.
+struct ToothForce {
+  Eigen::Vector3d f_W = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
+};
+
 /// Forces and moments of a coupling on the bodies b of its two joints, at the
 /// origins of their frames J; the bodies a feel the opposite at the same
-/// points. In W.
+/// points. In W. Where its teeth are resolved their force acts in place of all
+/// of these.
 struct CouplingState {
   double effort{};  ///< generalised force on coordinate 1 [N] or [N m]; on
                     ///< coordinate 2 it is −ratio times that
@@ -59,6 +67,7 @@ struct CouplingState {
   Eigen::Vector3d t_1_W = Eigen::Vector3d::Zero();  ///< [N m]
   Eigen::Vector3d f_2_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d t_2_W = Eigen::Vector3d::Zero();
+  std::optional<ToothForce> teeth = std::nullopt;  ///< if resolved
   bool unique = true;
 };
 

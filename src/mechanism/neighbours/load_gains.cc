@@ -205,12 +205,46 @@ class LoadForm {
     }
     for (std::size_t c = 0; c < instant_.couplings.size(); ++c) {
       const CouplingModel& coupling = frame_.couplings[c];
+      if (coupling.teeth) {
+        if (const auto& force = instant_.couplings[c].teeth) {
+          add_teeth(coupling, *force);
+          continue;
+        }
+      }
       const double effort = instant_.couplings[c].effort;
       add_effort(coupling.joint_1, coupling.row_1, effort,
                  LoadPlace::Kind::kJoint, coupling.joint_1);
       add_effort(coupling.joint_2, coupling.row_2, -coupling.ratio * effort,
                  LoadPlace::Kind::kJoint, coupling.joint_2);
     }
+  }
+
+  /// On both wheels, the first's tooth force and its opposite: both turn with
+  /// what guides the first, as a rack's flanks do. The part towards the axis
+  /// goes through this, the rest stays at the pitch point.
+  void add_teeth(const CouplingModel& coupling, const ToothForce& teeth) {
+    const Vector3d pitch = in_P(teeth.p_W), force = in_P(teeth.f_W);
+    const auto guide = mover(coupling.teeth->carrier, LoadPlace::Kind::kJoint,
+                             coupling.joint_1, coupling.joint_1);
+    const auto add = [&](int wheel, int joint, const JointRow& row,
+                         const Vector3d& on_wheel) {
+      const auto moved = mover(wheel, LoadPlace::Kind::kJoint, joint, joint);
+      if (moved && row.is_angle()) {
+        const PlacedJoint bearing = placed(index(joint));
+        const Vector3d axis = bearing.action(row).w;
+        const Vector3d middle =
+            bearing.p_b + (pitch - bearing.p_b).dot(axis) * axis;
+        const Vector3d out = (pitch - middle).normalized();
+        const Vector3d radial = on_wheel.dot(out) * out;
+        form_.add_force(*moved, radial, middle - moved->p);
+        form_.add_force(*moved, on_wheel - radial, pitch - moved->p);
+      } else if (moved) {
+        form_.add_force(*moved, on_wheel, pitch - moved->p);
+      }
+      if (guide) form_.add_turning(*guide, moved, pitch, on_wheel);
+    };
+    add(coupling.teeth->wheel_1, coupling.joint_1, coupling.row_1, force);
+    add(coupling.teeth->wheel_2, coupling.joint_2, coupling.row_2, -force);
   }
 
   void add_elements() {

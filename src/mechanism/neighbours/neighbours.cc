@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -17,6 +18,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 
 constexpr std::size_t kMostBodies = 100;
 constexpr Index kTwist = 6;
@@ -108,10 +110,38 @@ Neighbours::Neighbours(const MechanismDefinition& definition, BodyIndex body)
       elements_(placed(definition, frame_)),
       slots_(neighbours_of(frame_, elements_, slot_)) {}
 
+/// Teeth hold both wheels along their line of action. A coupling's own row
+/// holds turns against the bearings, which bearings that give way take along.
+Eigen::VectorXd Neighbours::row_of_teeth(const CouplingModel& coupling,
+                                         const Configuration& x,
+                                         const std::vector<PlacedJoint>& placed,
+                                         double effort) const {
+  const ToothMesh& teeth = *coupling.teeth;
+  const ToothContact contact =
+      tooth_contact(teeth, placed[index(coupling.joint_1)],
+                    placed[index(coupling.joint_2)], effort < 0.0 ? -1.0 : 1.0);
+  const Vector3d along = contact.force.normalized();
+  std::vector<SpatialForce> levers(x.size());
+  for (const auto& [wheel, sign] :
+       {std::pair{teeth.wheel_1, 1.0}, std::pair{teeth.wheel_2, -1.0}}) {
+    const Vector3d arm = contact.point - x[index(wheel)].p;
+    levers[index(wheel)] = {.v = sign * along, .w = sign * arm.cross(along)};
+  }
+  return system_.wrench_vector(levers);
+}
+
 NeighbourRows Neighbours::rows(const Instant& instant) const {
   NeighbourRows found;
   found.x = configuration_at(frame_, instant);
-  const MatrixXd J = system_.jacobian(system_.place(found.x));
+  const std::vector<PlacedJoint> placed = system_.place(found.x);
+  MatrixXd J = system_.jacobian(placed);
+  for (Index row = 0; row < J.rows(); ++row) {
+    const int coupling = system_.row_list()[index(row)].coupling;
+    if (coupling < 0 || !frame_.couplings[index(coupling)].teeth) continue;
+    J.row(row) = row_of_teeth(frame_.couplings[index(coupling)], found.x,
+                              placed, instant.couplings[index(coupling)].effort)
+                     .transpose();
+  }
   const auto block = [&](Index row, int of) {
     return J.row(row).segment<kTwist>(kTwist * (of - 1));
   };

@@ -71,6 +71,11 @@ class Neighbours {
                   Eigen::Ref<Eigen::VectorXd> row) const;
 
  private:
+  Eigen::VectorXd row_of_teeth(const CouplingModel& coupling,
+                               const Configuration& x,
+                               const std::vector<PlacedJoint>& placed,
+                               double effort) const;
+
   const MechanismDefinition& definition_;
   SolvingFrame frame_;
   ConstraintSystem system_;

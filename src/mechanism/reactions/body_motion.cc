@@ -52,6 +52,9 @@ void put_forces(const SolvingFrame& frame, const ConstraintSystem& system,
          {&coupling.f_1_W, &coupling.t_1_W, &coupling.f_2_W, &coupling.t_2_W}) {
       *vector = frame.R_WP * *vector;
     }
+    if (!coupling.teeth) continue;
+    coupling.teeth->f_W = frame.R_WP * coupling.teeth->f_W;
+    coupling.teeth->p_W = frame.R_WP * coupling.teeth->p_W;
   }
   instant.couplings = std::move(forces.couplings);
 }

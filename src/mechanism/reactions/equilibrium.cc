@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/values/index.h"
 #include "mechanism/compliance/compliance_maps.h"
@@ -243,15 +244,65 @@ std::vector<VectorXd> Equilibrium::link_strains(
   return strains;
 }
 
+bool Equilibrium::resolve_teeth(const Configuration& x,
+                                const std::vector<PlacedJoint>& placed,
+                                std::vector<CouplingState>& couplings,
+                                std::vector<SpatialForce>& required) const {
+  bool any = false;
+  for (std::size_t k = 0; k < couplings.size(); ++k) {
+    const CouplingModel& model = frame_.couplings[k];
+    CouplingState& coupling = couplings[k];
+    if (!model.teeth || !coupling.unique) continue;
+    const PlacedJoint& first = placed[index(model.joint_1)];
+    const PlacedJoint& second = placed[index(model.joint_2)];
+    const ToothContact contact =
+        tooth_contact(*model.teeth, first, second, coupling.effort);
+    const auto press = [&](int wheel, const Vector3d& force) {
+      SpatialForce& wrench = required[index(wheel)];
+      wrench.v -= force;
+      wrench.w -= (contact.point - x[index(wheel)].p).cross(force);
+    };
+    press(model.teeth->wheel_1, contact.force);
+    press(model.teeth->wheel_2, -contact.force);
+    const auto relieve = [&](int joint, const JointRow& row, double effort) {
+      const auto levers = placed[index(joint)].levers(row);
+      const JointModel& bodies = frame_.joints[index(joint)];
+      for (const auto& [slot, lever] :
+           {std::pair{bodies.a, levers.a}, std::pair{bodies.b, levers.b}}) {
+        required[index(slot)].v += effort * lever.v;
+        required[index(slot)].w += effort * lever.w;
+      }
+    };
+    relieve(model.joint_1, model.row_1, coupling.effort);
+    relieve(model.joint_2, model.row_2, -model.ratio * coupling.effort);
+    coupling.teeth = ToothForce{.f_W = contact.force, .p_W = contact.point};
+    any = true;
+  }
+  required[0] = Twist{};
+  return any;
+}
+
 Equilibrium::Solution Equilibrium::solve(
     const Configuration& x, const std::vector<PlacedJoint>& placed,
     const numerics::JacobianFactor& factor, const std::vector<Twist>& twists,
     const std::vector<SpatialAcceleration>& accelerations,
     std::span<const SpatialForce> applied,
     std::span<const ElementState> elements) const {
-  const std::vector<SpatialForce> required =
+  std::vector<SpatialForce> required =
       required_wrenches(x, twists, accelerations, applied);
   const std::vector<VectorXd> strains = link_strains(x, twists, elements);
+  Solution without = reactions(placed, factor, required, strains);
+  if (!resolve_teeth(x, placed, without.couplings, required)) return without;
+  Solution solution = reactions(placed, factor, required, strains);
+  solution.couplings = std::move(without.couplings);
+  return solution;
+}
+
+Equilibrium::Solution Equilibrium::reactions(
+    const std::vector<PlacedJoint>& placed,
+    const numerics::JacobianFactor& factor,
+    const std::vector<SpatialForce>& required,
+    const std::vector<VectorXd>& strains) const {
   const bool across = frame_.planar && acts_across_plane(placed, required);
   const bool open = system_.rows() > factor.rank();
   if (across && open) {
@@ -306,14 +357,23 @@ std::optional<Equilibrium::Solution> Equilibrium::solve_compliant(
     const std::vector<Twist>& twists,
     const std::vector<SpatialAcceleration>& accelerations,
     std::span<const SpatialForce> applied, const MatrixXd& held) const {
-  const VectorXd f = system_.wrench_vector(
-      required_wrenches(x, twists, accelerations, applied));
-  const CompliantBalance balance =
-      compliant_balance(frame_, system_, x, f, held);
-  if (!balance.found) return std::nullopt;
-  Solution solution = empty_solution(placed);
-  add(solution, placed, system_, balance.lambda);
-  add_efforts(solution, system_, balance.lambda);
+  std::vector<SpatialForce> required =
+      required_wrenches(x, twists, accelerations, applied);
+  const auto balanced = [&]() -> std::optional<Solution> {
+    const CompliantBalance balance = compliant_balance(
+        frame_, system_, x, system_.wrench_vector(required), held);
+    if (!balance.found) return std::nullopt;
+    Solution solution = empty_solution(placed);
+    add(solution, placed, system_, balance.lambda);
+    add_efforts(solution, system_, balance.lambda);
+    return solution;
+  };
+  std::optional<Solution> without = balanced();
+  if (!without || !resolve_teeth(x, placed, without->couplings, required)) {
+    return without;
+  }
+  std::optional<Solution> solution = balanced();
+  if (solution) solution->couplings = std::move(without->couplings);
   return solution;
 }
 

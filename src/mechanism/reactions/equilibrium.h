@@ -50,6 +50,19 @@ class Equilibrium {
       const Eigen::MatrixXd& held = {}) const;
 
  private:
+  /// The system's own reactions, and where loads act across the plane those of
+  /// them.
+  Solution reactions(const std::vector<PlacedJoint>& placed,
+                     const numerics::JacobianFactor& factor,
+                     const std::vector<SpatialForce>& required,
+                     const std::vector<Eigen::VectorXd>& strains) const;
+  /// Finds the force of teeth whose effort is unique and takes what it does
+  /// beyond that effort from what is required; it does no work.
+  /// @return whether there are any.
+  bool resolve_teeth(const Configuration& x,
+                     const std::vector<PlacedJoint>& placed,
+                     std::vector<CouplingState>& couplings,
+                     std::vector<SpatialForce>& required) const;
   Solution empty_solution(const std::vector<PlacedJoint>& placed) const;
   void add_efforts(Solution& solution, const ConstraintSystem& rows,
                    const Eigen::VectorXd& lambda) const;

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "mechanism/force_elements/force_element.h"
+
 namespace clevis::mechanism {
 namespace {
 
@@ -73,6 +75,27 @@ bool is_unique(const Motion& motion, std::size_t joint) {
   });
 }
 
+/// Whether the teeth's forces are in the reactions. Friction of an integrated
+/// motion follows reactions without them.
+/// @param loads  the joints that they load.
+bool is_resolved(const MechanismDefinition& definition, const Motion& motion,
+                 std::size_t coupling, const std::vector<bool>& loads) {
+  if (std::ranges::any_of(motion.instants, [&](const Instant& instant) {
+        const CouplingState& state = instant.couplings[coupling];
+        return !state.teeth || !state.unique;
+      })) {
+    return false;
+  }
+  if (!motion.integration) return !motion.instants.empty();
+  return std::ranges::none_of(
+      definition.elements, [&](const ForceElement& element) {
+        const ElementLine* line = line_of(element);
+        return line != nullptr && line->joint >= 0 &&
+               properties(element).follows_reaction &&
+               loads[static_cast<std::size_t>(line->joint)];
+      });
+}
+
 bool share_a_body(const JointDefinition& one, const JointDefinition& other) {
   return one.body_a == other.body_a || one.body_a == other.body_b ||
          one.body_b == other.body_a || one.body_b == other.body_b;
@@ -82,7 +105,8 @@ bool share_a_body(const JointDefinition& one, const JointDefinition& other) {
 
 std::vector<std::size_t> joints_without_teeth(
     const MechanismDefinition& definition, const Motion& motion,
-    const CouplingDefinition& coupling) {
+    std::size_t index) {
+  const CouplingDefinition& coupling = definition.couplings[index];
   const std::array coupled{static_cast<std::size_t>(coupling.joint_1),
                            static_cast<std::size_t>(coupling.joint_2)};
   const JointDefinition& one = definition.joints[coupled[0]];
@@ -99,6 +123,7 @@ std::vector<std::size_t> joints_without_teeth(
                           {one.body_a, one.body_b, other.body_a, other.body_b});
   }
   for (const std::size_t joint : coupled) lack[joint] = true;
+  if (is_resolved(definition, motion, index, lack)) return {};
   std::vector<std::size_t> joints;
   for (std::size_t j = 0; j < lack.size(); ++j) {
     if (lack[j]) joints.push_back(j);

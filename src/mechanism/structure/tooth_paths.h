@@ -15,6 +15,6 @@ namespace clevis::mechanism {
 /// one to the other. In rising order.
 std::vector<std::size_t> joints_without_teeth(
     const MechanismDefinition& definition, const Motion& motion,
-    const CouplingDefinition& coupling);
+    std::size_t coupling);
 
 }  // namespace clevis::mechanism

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "mechanism/definition/meshing_wheels.h"
 #include "mechanism/joints/joint_types.h"
 #include "report/summary/mechanism_summary.h"
 #include "report/text/text_table.h"
@@ -32,6 +37,28 @@ Peak peak_effort(const MotionReport& report, std::size_t k) {
   return peak;
 }
 
+/// Largest tooth force; nothing where it is not resolved.
+std::optional<Peak> peak_tooth_force(const MotionReport& report,
+                                     std::size_t k) {
+  std::optional<Peak> peak;
+  for (const auto& instant : report.motion.instants) {
+    const auto& teeth = instant.couplings[k].teeth;
+    if (!teeth) return std::nullopt;
+    const double here = teeth->f_W.norm();
+    if (!peak || here > peak->value) peak = {here, instant.t};
+  }
+  return peak;
+}
+
+/// Of wheels 1 and 2, of a rack its pinion's [mm].
+std::vector<double> pitch_radii_mm(const MotionReport& report, std::size_t k) {
+  const auto& coupling = report.definition.couplings[k];
+  if (!turns(report, k)) return {1e3 * std::abs(coupling.ratio)};
+  const auto circles =
+      mechanism::pitch_circles(report.definition.joints, coupling);
+  return {1e3 * circles.radius_1(), 1e3 * circles.radius_2()};
+}
+
 bool is_unique(const MotionReport& report, std::size_t k) {
   return std::ranges::all_of(report.motion.instants, [k](const auto& instant) {
     return instant.couplings[k].unique;
@@ -52,12 +79,18 @@ ordered_json couplings_json(const MotionReport& report) {
                        {angle ? "effort_N_m" : "effort_N",
                         instant.couplings[k].effort + 0.0}});
     }
-    couplings.push_back(
-        {{"name", report.definition.couplings[k].name},
-         {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
-         {"peak_effort_at_s", peak.at},
-         {"unique", is_unique(report, k)},
-         {"instants", shown}});
+    ordered_json coupling{
+        {"name", report.definition.couplings[k].name},
+        {angle ? "peak_effort_N_m" : "peak_effort_N", peak.value},
+        {"peak_effort_at_s", peak.at},
+        {"unique", is_unique(report, k)}};
+    if (const auto force = peak_tooth_force(report, k)) {
+      coupling["pitch_radii_mm"] = pitch_radii_mm(report, k);
+      coupling["peak_tooth_force_N"] = force->value;
+      coupling["peak_tooth_force_at_s"] = force->at;
+    }
+    coupling["instants"] = shown;
+    couplings.push_back(std::move(coupling));
   }
   return couplings;
 }
@@ -73,6 +106,14 @@ std::string couplings_text(const MotionReport& report, Colour colour) {
   columns.push_back({"peak", Align::kRight});
   columns.push_back({"at s", Align::kRight});
   columns.push_back({"unique"});
+  const bool has_teeth = std::ranges::any_of(
+      report.definition.couplings, [](const auto& coupling) {
+        return coupling.teeth.has_value();
+      });
+  if (has_teeth) {
+    columns.push_back({"pitch radii"});
+    columns.push_back({"largest tooth force", Align::kRight});
+  }
   TextTable table(columns);
   for (std::size_t k = 0; k < report.definition.couplings.size(); ++k) {
     const char* unit = turns(report, k) ? " N m" : " N";
@@ -85,6 +126,13 @@ std::string couplings_text(const MotionReport& report, Colour colour) {
     cells.push_back({fmt::format("{:.4g}{}", peak.value, unit)});
     cells.push_back({fmt::format("{:.6g}", peak.at)});
     cells.push_back({is_unique(report, k) ? "yes" : "no"});
+    if (const auto force = peak_tooth_force(report, k)) {
+      cells.push_back({fmt::format(
+          "{:.4g} mm", fmt::join(pitch_radii_mm(report, k), ", "))});
+      cells.push_back({fmt::format("{:.4g} N", force->value)});
+    } else if (has_teeth) {
+      cells.insert(cells.end(), 2, {"-"});
+    }
     table.add_row(cells);
   }
   return table.text(colour);

@@ -1,6 +1,7 @@
 #include "report/motion/motion_csv.h"
 
 #include <iterator>
+#include <limits>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -119,6 +120,8 @@ void add_motion_titles(Text& text, const MotionReport& report) {
   for (const auto& coupling : report.definition.couplings) {
     fmt::format_to(std::back_inserter(text), ",{}.coupling_effort_{}",
                    coupling.name, coupling_unit(report.definition, coupling));
+    if (!coupling.teeth) continue;
+    add_vector_title(text, coupling.name + ".tooth_force", "N");
   }
   fmt::format_to(std::back_inserter(text),
                  ",closure_error_mm,power_balance_error_rel\n");
@@ -182,7 +185,14 @@ std::string motion_csv(const MotionReport& report) {
       add(text, drive.acceleration);
       add(text, drive.effort);
     }
-    for (const auto& coupling : instant.couplings) add(text, coupling.effort);
+    for (std::size_t k = 0; k < instant.couplings.size(); ++k) {
+      const auto& coupling = instant.couplings[k];
+      add(text, coupling.effort);
+      if (!report.definition.couplings[k].teeth) continue;
+      constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+      add(text, coupling.teeth ? coupling.teeth->f_W
+                               : Vector3d(Vector3d::Constant(kUnknown)));
+    }
     add(text, 1e3 * instant.closure_error);
     add(text, instant.power_balance_error);
     text.push_back('\n');

@@ -358,12 +358,14 @@ void add_unshared(const MechanismDefinition& definition, const Motion& motion,
 
 void add_teeth(const MechanismDefinition& definition, const Motion& motion,
                std::vector<std::string>& notes) {
-  for (const auto& coupling : definition.couplings) {
+  for (std::size_t k = 0; k < definition.couplings.size(); ++k) {
+    const auto& coupling = definition.couplings[k];
     std::vector<std::string> names;
     for (const std::size_t joint :
-         mechanism::joints_without_teeth(definition, motion, coupling)) {
+         mechanism::joints_without_teeth(definition, motion, k)) {
       names.push_back(definition.joints[joint].name);
     }
+    if (names.empty()) continue;
     notes.push_back(fmt::format(
         "coupling {}: each joint takes its torque or force along its "
         "coordinate alone. What teeth press across it with is not in the "

@@ -1,9 +1,12 @@
 #include "scene/motion/read_joint_properties.h"
 
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "mechanism/definition/meshing_wheels.h"
 #include "mechanism/joints/joint_types.h"
 #include "scene/text/names.h"
 #include "scene/text/suggestion.h"
@@ -18,6 +21,7 @@ using mechanism::CouplingDefinition;
 using mechanism::JointCompliance;
 using mechanism::JointDefinition;
 using mechanism::JointType;
+using mechanism::ToothGeometry;
 
 Vector3d world_point(const std::vector<BodyDefinition>& bodies, BodyIndex body,
                      const Vector3d& p_LP) {
@@ -79,6 +83,48 @@ int coupled_coordinate(const JointDefinition& joint, const Value& where,
       "A gear couples two angles, a rack a distance with an angle.");
 }
 
+double read_tooth_angle(const Value& value, double low, double high) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const double angle = value.quantity(Dimension::kAngle);
+  if (low * kDegree <= angle && angle <= high * kDegree) return angle;
+  throw value.refusal(
+      "S006", "is out of range",
+      fmt::format("Give an angle from {} to {} deg.", low, high));
+}
+
+/// The keys that resolve the tooth force of a coupling; nothing without them.
+std::optional<ToothGeometry> read_teeth(
+    StrictTable& table, bool is_gear,
+    const std::vector<JointDefinition>& joints,
+    const CouplingDefinition& coupling) {
+  const auto pressure_angle = table.find("pressure_angle");
+  const auto helix_angle = table.find("helix_angle");
+  const auto mid_face = table.find("mid_face");
+  if (!pressure_angle) {
+    for (const auto& key : {helix_angle, mid_face}) {
+      if (!key) continue;
+      throw key->refusal("S010", "stands without `pressure_angle`",
+                         "Give the teeth's `pressure_angle`, as \"20 deg\".");
+    }
+    return std::nullopt;
+  }
+  if (helix_angle && !is_gear) {
+    throw helix_angle->refusal("S010", "stands in a rack",
+                               "Only racks with straight teeth are resolved.");
+  }
+  CouplingDefinition with_teeth = coupling;
+  ToothGeometry& teeth = with_teeth.teeth.emplace();
+  teeth.pressure_angle = read_tooth_angle(*pressure_angle, 0.0, 45.0);
+  if (helix_angle) {
+    teeth.helix_angle = read_tooth_angle(*helix_angle, -60.0, 60.0);
+  }
+  if (mid_face) teeth.mid_face = mid_face->quantity(Dimension::kLength);
+  if (const auto misfit = mechanism::tooth_misfit(joints, with_teeth)) {
+    throw pressure_angle->refusal("S010", misfit->what, misfit->remedy);
+  }
+  return teeth;
+}
+
 CouplingDefinition read_coupling(StrictTable& table,
                                  const std::vector<JointDefinition>& joints,
                                  Names& names) {
@@ -124,6 +170,7 @@ CouplingDefinition read_coupling(StrictTable& table,
     coupling.offset =
         offset->quantity(gear ? Dimension::kAngle : Dimension::kLength);
   }
+  coupling.teeth = read_teeth(table, gear, joints, coupling);
   table.finish(fmt::format("with type = \"{}\"", type.text()));
   return coupling;
 }

@@ -25,8 +25,9 @@ constexpr Key kPlacement[] = {"origin", "angle", "x_axis", "y_axis"};
 constexpr Key kJoint[] = {"name", "type",   "between", "at",     "point",
                           "axis", "normal", "lead",    "length", "compliance"};
 constexpr Key kCompliance[] = {"force", "moment"};
-constexpr Key kCoupling[] = {"name",  "type",   "joints", "coordinates",
-                             "ratio", "radius", "offset"};
+constexpr Key kCoupling[] = {
+    "name",   "type",   "joints",         "coordinates", "ratio",
+    "radius", "offset", "pressure_angle", "helix_angle", "mid_face"};
 constexpr Key kDrive[] = {"joint",     "coordinate", "law",       "from",
                           "to",        "start",      "duration",  "amplitude",
                           "frequency", "times",      "positions", "ends",
@@ -217,8 +218,9 @@ constexpr Key kCase[] = {"name",
                          "angular_acceleration",
                          "probes"};
 constexpr Key kHistory[] = {
-    "name",    "file",  "frame",      "pins",          "faces",
-    "gravity", "fixed", "foundation", "interpolation", "largest_imbalance"};
+    "name",       "file",  "frame",      "pins",          "faces",
+    "gravity",    "fixed", "foundation", "interpolation", "largest_imbalance",
+    "held_by_pin"};
 constexpr Key kHistoryPins[] = {"group", "about"};
 constexpr Key kFoundation[] = {"normal", "tangential"};
 constexpr Key kProbes[] = {"name", "at", "quantity", "reference"};

@@ -1,6 +1,7 @@
 // What loads gain as a body gives way at its joints, against statics by hand.
 #include "mechanism/neighbours/load_gains.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -287,6 +288,47 @@ TEST(LoadGains, OfAWheelGoesThroughItsCentre) {
   state.actions[0] = {.body = kGround, .p_W = touch, .f_W = -force};
   state.actions[1] = {.body = 1, .p_W = touch, .f_W = force};
   instant.elements = {state};
+  const auto found =
+      load_gains(Neighbours(definition, 0), instant,
+                 {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()}});
+  EXPECT_NEAR(found(5, 5), kForce * kAxle, kRoundOff * kForce);
+}
+
+// A pinion on a mast, a rack across its top: what presses them apart goes
+// through the pinion's centre, what turns them stays beside it.
+TEST(LoadGains, OfTeethGoThroughTheWheelsCentre) {
+  constexpr double kRadius = 0.1, kAxle = 0.3, kAcross = 70.0;
+  MechanismDefinition definition;
+  definition.bodies = {
+      bar(Vector3d(-0.1, 0.0, 0.0)), bar(Vector3d(0.05, 0.0, 0.0)),
+      bar(Vector3d(kAxle, 0.0, 0.0)), bar(Vector3d(kAxle, 0.0, 0.0))};
+  definition.joints = {joint(JointType::kWeld, 0, 1, 0.0),
+                       joint(JointType::kWeld, kGround, 0, -0.1),
+                       joint(JointType::kPrismatic, kGround, 3, kAxle),
+                       joint(JointType::kRevolute, 1, 2, kAxle)};
+  const Matrix3d across(
+      Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3d::UnitX()));
+  definition.joints[2].frame_a.R_LJ = definition.joints[2].frame_b.R_LJ =
+      across;
+  CouplingDefinition& mesh = definition.couplings.emplace_back();
+  mesh.joint_1 = 2;
+  mesh.joint_2 = 3;
+  mesh.ratio = kRadius;
+  mesh.teeth.emplace().pressure_angle = std::atan(kForce / kAcross);
+  definition.drives = {{.joint = 3}};
+  Instant instant;
+  instant.bodies.resize(4);
+  instant.joints.resize(4);
+  instant.drives.resize(1);
+  const Vector3d on_rack(kForce, kAcross, 0.0);
+  CouplingState& state = instant.couplings.emplace_back();
+  state.effort = kAcross;
+  state.teeth =
+      ToothForce{.f_W = on_rack, .p_W = (kAxle + kRadius) * Vector3d::UnitX()};
+  instant.drives[0].effort = kRadius * kAcross;
+  instant.joints[0].f_W = instant.joints[3].f_W = on_rack;
+  instant.joints[0].t_W.z() = (kAxle + kRadius) * kAcross;
+  instant.joints[2].f_W.x() = -kForce;
   const auto found =
       load_gains(Neighbours(definition, 0), instant,
                  {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()}});

@@ -1,8 +1,10 @@
 // Balance of one instant, against statics and Euler's equations by hand.
 #include "mechanism/reactions/equilibrium.h"
 
+#include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mechanism/constraints/closed_joints.h"
@@ -170,6 +172,114 @@ TEST(Equilibrium, OfALinkOnTwoHinges) {
       2.0 * std::numbers::ln2 * pull * a * b / ((a + b) * (a + b));
   EXPECT_NEAR(at_b.spread[0], spread, pull * 1e-9);
   EXPECT_NEAR(at_b.spread[1], 0.0, pull * 1e-9);
+}
+
+/// Wheels 0 and 1 on the ground, 90 mm apart, the first half as large; a torque
+/// of 24 N m on the second is held by a drive of the first.
+struct Gears {
+  Gears() {
+    m.dimension = SpaceDimension::kSpatial;
+    m.bodies.resize(2);
+    m.joints = {testing::pin("1", kGround, 0, 0.0, 0.0),
+                testing::pin("2", kGround, 1, 0.0, 0.0)};
+    m.joints[1].frame_a.p_LJ = {0.09, 0.0, 0.0};
+    m.bodies[1].placement.p_WL = {0.09, 0.0, 0.0};
+    for (BodyDefinition& body : m.bodies) body.mass_properties.mass = 1e-9;
+    CouplingDefinition& mesh = m.couplings.emplace_back();
+    mesh.joint_2 = 1;
+    mesh.ratio = -2.0;
+    mesh.teeth = ToothGeometry{.pressure_angle = kPressureAngle,
+                               .helix_angle = 0.0,
+                               .mid_face = std::nullopt};
+    m.drives = {drive_of(0)};
+  }
+
+  Equilibrium::Solution solve() const {
+    Placed placed(m, Motions::kSpatial);
+    placed.applied[2].w = {0.0, 0.0, 24.0};
+    return placed.solve();
+  }
+
+  static constexpr double kPressureAngle = 20.0 / 180.0 * std::numbers::pi;
+  MechanismDefinition m;
+};
+
+// 24 N m on 60 mm are 400 N across, and 400 N tan 20° press the wheels apart;
+// the reaction on each wheel is what balances that.
+TEST(ToothForces, OfSpurGearsLoadTheBearings) {
+  const Equilibrium::Solution found = Gears().solve();
+  const double apart = 400.0 * std::tan(Gears::kPressureAngle);
+  // Wheel 2 pushes against +y at the pitch point, on its side of axis 2.
+  const auto& teeth = found.couplings[0].teeth;
+  ASSERT_TRUE(teeth);
+  EXPECT_LT((teeth->p_W - Vector3d(0.03, 0.0, 0.0)).norm(), kRoundOff);
+  EXPECT_LT((teeth->f_W - Vector3d(-apart, -400.0, 0.0)).norm(), 1e-9);
+  EXPECT_LT((found.joints[0].f_W - Vector3d(apart, 400.0, 0.0)).norm(), 1e-6);
+  EXPECT_LT((found.joints[1].f_W + Vector3d(apart, 400.0, 0.0)).norm(), 1e-6);
+  EXPECT_LT(found.joints[0].t_W.norm(), 1e-9);
+  EXPECT_NEAR(found.efforts[0], 12.0, 1e-9);
+}
+
+// A helix of 30°: tan 20°/cos 30° apart and tan 30° along. The thrust on a
+// right-handed wheel pushed towards −y at +x goes along +z, and turns its shaft
+// over by its arm.
+TEST(ToothForces, OfHelicalGearsPushAlong) {
+  Gears gears;
+  const double helix = std::numbers::pi / 6.0;
+  gears.m.couplings[0].teeth->helix_angle = helix;
+  gears.m.couplings[0].teeth->mid_face = 0.01;
+  const Equilibrium::Solution found = gears.solve();
+  const double apart =
+      400.0 * std::tan(Gears::kPressureAngle) / std::cos(helix);
+  const double along = 400.0 * std::tan(helix);
+  const auto& teeth = *found.couplings[0].teeth;
+  const Vector3d force(-apart, -400.0, along), pitch(0.03, 0.0, 0.01);
+  EXPECT_LT((teeth.p_W - pitch).norm(), kRoundOff);
+  EXPECT_LT((teeth.f_W - force).norm(), 1e-9);
+  EXPECT_LT((found.joints[0].f_W + force).norm(), 1e-6);
+  const Vector3d moment = pitch.cross(force);
+  EXPECT_NEAR(found.joints[0].t_W.x(), -moment.x(), 1e-6);
+  EXPECT_NEAR(found.joints[0].t_W.y(), -moment.y(), 1e-6);
+  EXPECT_NEAR(found.joints[0].t_W.z(), 0.0, 1e-9);
+  EXPECT_NEAR(found.efforts[0], 12.0, 1e-9);
+}
+
+// A ring of 180 mm round its pinion of 90 mm: teeth push the pinion away from
+// the pitch point towards its own axis.
+TEST(ToothForces, PushAPinionIntoItsRing) {
+  Gears gears;
+  gears.m.couplings[0].ratio = 2.0;
+  const Equilibrium::Solution found = gears.solve();
+  const double force = 24.0 / 0.18;
+  const auto& teeth = *found.couplings[0].teeth;
+  EXPECT_LT((teeth.p_W - Vector3d(-0.09, 0.0, 0.0)).norm(), kRoundOff);
+  EXPECT_NEAR(teeth.f_W.x(), force * std::tan(Gears::kPressureAngle), 1e-9);
+  EXPECT_NEAR(std::abs(teeth.f_W.y()), force, 1e-9);
+  EXPECT_NEAR(-0.09 * teeth.f_W.y(), 12.0, 1e-9);
+  EXPECT_NEAR(found.efforts[0], -12.0, 1e-9);
+}
+
+// The rack along x under the pinion at its origin, 20 mm of radius.
+TEST(ToothForces, OfARackPressOnItsGuide) {
+  Gears gears;
+  MechanismDefinition& m = gears.m;
+  m.joints[0].type = JointType::kPrismatic;
+  m.joints[0].frame_a.R_LJ = m.joints[0].frame_b.R_LJ =
+      Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3d::UnitY())
+          .toRotationMatrix();
+  m.couplings[0].ratio = 0.02;
+  const Equilibrium::Solution found = gears.solve();
+  // The pinion turned by +1 moves its lower side by +20 mm.
+  const auto& teeth = *found.couplings[0].teeth;
+  EXPECT_LT((teeth.p_W - Vector3d(0.09, -0.02, 0.0)).norm(), kRoundOff);
+  const double apart = 1200.0 * std::tan(Gears::kPressureAngle);
+  EXPECT_LT((teeth.f_W - Vector3d(1200.0, -apart, 0.0)).norm(), 1e-9);
+  EXPECT_LT((found.joints[1].f_W - teeth.f_W).norm(), 1e-6);
+  EXPECT_NEAR(found.joints[0].f_W.y(), apart, 1e-6);
+  // About the guide's point the teeth turn the rack.
+  const Vector3d moment = teeth.p_W.cross(teeth.f_W);
+  EXPECT_NEAR(found.joints[0].t_W.z(), -moment.z(), 1e-6);
+  EXPECT_NEAR(found.efforts[0], -1200.0, 1e-9);
 }
 
 }  // namespace
