@@ -5,6 +5,7 @@
   along their line of action, gives it: in a hub of its own, and straight on its bore.
 - A motion does not change as teeth are resolved, their force does no work.
 - A housing of two wheels is loaded by their torques alone, each bearing by the force.
+- Friction that follows a bearing's reaction knows the teeth.
 - What teeth cannot resolve is refused.
 
     tooth_forces.py CLEVIS MESH   (meshes/landing_gear/link_ab.msh)
@@ -217,17 +218,48 @@ def check_housing(folder, checks):
         checks.near("they press apart", -force[0], abs(force[1]) * math.tan(ANGLE), 1e-9)
 
 
+RUB = """
+[[force]]
+name = "rub"
+type = "friction"
+joint = "2"
+kinetic_friction = 0.2
+pin_radius = "10 mm"
+"""
+
+
+def check_friction(folder, checks):
+    """Friction that follows the reaction of a wheel's bearing knows its teeth."""
+    teeth = 'pressure_angle = "20 deg"'
+    motion = simulate(folder, housing(teeth, RUB))
+    bearing = next(joint for joint in motion["joints"] if joint["name"] == "2")
+    rub = next(force for force in motion["forces"] if force["name"] == "rub")
+    checks.near("friction of the bearing", rub["peak_effort_N_m"],
+                0.2 * 0.01 * bearing["peak_force_N"], 1e-9)
+    checks.expect(bearing["peak_force_N"] > TORQUE / 0.06 / math.cos(ANGLE),
+                  "the bearing carries the teeth's force")
+    free = housing(teeth, RUB).replace("[simulation]", """[simulation]
+motion = "dynamic"""")
+    free = free[:free.index("[[drive]]")] + free[free.index("[[force]]"):]
+    refused(folder, checks, free, "K011", "in a motion that forces decide", 12)
+    refused(folder, checks, housing("", RUB), "K011", "their force is not resolved", 12)
+
+
+def refused(folder, checks, text, code, told, exit_code=10):
+    scene = folder / "refused.toml"
+    scene.write_text(text)
+    done = subprocess.run([CLEVIS, "simulate", scene], capture_output=True, text=True)
+    checks.expect(done.returncode == exit_code and code in done.stderr and told in done.stderr,
+                  f"refused: {told}")
+
+
 def check_refusals(folder, checks):
     for text, code, told in (
             (housing('helix_angle = "10 deg"'), "S010", "stands without `pressure_angle`"),
             (housing('pressure_angle = "50 deg"'), "S006", "from 0 to 45 deg"),
             (housing('pressure_angle = "20 deg"').replace("ratio = -2", "ratio = 1"), "S010",
              "turn as one")):
-        scene = folder / "refused.toml"
-        scene.write_text(text)
-        done = subprocess.run([CLEVIS, "simulate", scene], capture_output=True, text=True)
-        checks.expect(done.returncode == 10 and code in done.stderr and told in done.stderr,
-                      f"refused: {told}")
+        refused(folder, checks, text, code, told)
 
 
 def main():
@@ -236,6 +268,7 @@ def main():
         folder = Path(name)
         check_housing(folder, checks)
         check_bracket(folder, checks)
+        check_friction(folder, checks)
         check_refusals(folder, checks)
     return checks.exit_code()
 

@@ -159,7 +159,8 @@ constexpr auto kCatalogue = std::to_array<Diagnostic>({
     {"K011", kModelInvalid, "friction that follows the reaction has no answer",
      "Friction proportional to the reaction of its joint changes that reaction "
      "by as much as itself: the joint jams, and rigid bodies have no answer, "
-     "or several. Or equilibrium leaves the reaction open. Reduce the "
+     "or several. Or equilibrium leaves the reaction open, or teeth load the "
+     "joint whose force the motion does not know. Reduce the "
      "coefficient or the pin radius, or remove redundant constraints."},
     {"K012", kSolverFailed, "energy does not balance",
      "Kinetic energy and the work of all forces of an integrated motion differ "

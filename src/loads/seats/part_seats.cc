@@ -225,9 +225,8 @@ void require_tooth_forces(const SeatContext& context,
                       "the part has its share of it by joint \"{}\"",
                       coupling.name, joint.name),
           coupling.teeth
-              ? "Equilibrium has to find the coupling's effort, and friction "
-                "that follows reactions does not know the teeth's; or check "
-                "the part by a [[part.history]] with their forces."
+              ? "Equilibrium has to find the coupling's effort; or check the "
+                "part by a [[part.history]] with their forces."
               : "Give the coupling its `pressure_angle`, its joints one body "
                 "in common that carries both wheels; or check the part by a "
                 "[[part.history]] with the forces on its teeth.");

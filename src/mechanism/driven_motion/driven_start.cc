@@ -13,6 +13,7 @@
 #include "mechanism/constraints/mobility.h"
 #include "mechanism/definition/drive_names.h"
 #include "mechanism/drives/drive_law.h"
+#include "mechanism/reactions/reaction_friction.h"
 
 namespace clevis::mechanism {
 namespace {
@@ -171,6 +172,7 @@ DrivenMoment leave(const DrivenModel& model, const SingularStart& start,
 
 DrivenMoment start_driven(const DrivenModel& model, DrivenInstants& instants,
                           const SimulationSettings& settings, Motion& motion) {
+  refuse_friction_beside_teeth(model.definition, MovedBy::kDrives);
   ClosedConfiguration at = assembled_start(model);
   if (at.factor.full_column_rank()) {
     motion.instants.push_back(instants.regular(at, 0.0));

@@ -29,6 +29,7 @@ DynamicRun::DynamicRun(const MechanismDefinition& definition,
       impacts_(equations_) {}
 
 void DynamicRun::start() {
+  refuse_friction_beside_teeth(model_.definition, MovedBy::kForces);
   const InitialState initial =
       initial_state(model_.definition, model_.frame, equations_.system(),
                     model_.settings.tolerance * model_.frame.length);

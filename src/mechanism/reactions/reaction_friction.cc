@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -126,6 +127,34 @@ void refuse_open_loads(const MechanismDefinition& definition,
   for (std::size_t k = 0; k < forces.size(); ++k) {
     if (is_open(forces.element(k), joints)) {
       refuse_open_load(definition, forces, k);
+    }
+  }
+}
+
+void refuse_friction_beside_teeth(const MechanismDefinition& definition,
+                                  MovedBy moved_by) {
+  for (const ForceElement& element : definition.elements) {
+    const ElementLine* line = line_of(element);
+    if (line == nullptr || !properties(element).follows_reaction) continue;
+    for (const CouplingDefinition& coupling : definition.couplings) {
+      const bool is_known = coupling.teeth && moved_by == MovedBy::kDrives;
+      if (is_known || (line->joint != coupling.joint_1 &&
+                       line->joint != coupling.joint_2)) {
+        continue;
+      }
+      const std::string& joint =
+          definition.joints[static_cast<std::size_t>(line->joint)].name;
+      throw Error(
+          "K011", place_of(element),
+          fmt::format(
+              "friction {} follows the reaction of joint {}, which the "
+              "teeth of coupling {} load: their force is not {}",
+              name_of(element), joint, coupling.name,
+              coupling.teeth ? "in a motion that forces decide" : "resolved"),
+          coupling.teeth ? "Give the friction itself, or drive the motion by a "
+                           "law."
+                         : "Give the coupling its `pressure_angle`, or the "
+                           "friction itself.");
     }
   }
 }

@@ -35,6 +35,14 @@ void refuse_open_loads(const MechanismDefinition& definition,
                        const ForceModel& forces,
                        const std::vector<JointReaction>& joints);
 
+enum class MovedBy { kDrives, kForces };
+
+/// @throws Error K011 if friction follows the reaction of a joint that teeth
+///   load, which does not know their force: as it is not resolved, or as the
+///   motion is found without it.
+void refuse_friction_beside_teeth(const MechanismDefinition& definition,
+                                  MovedBy moved_by);
+
 /// @throws Error K011, always: a joint with such friction jams. @param t  [s].
 [[noreturn]] void refuse_self_locking(double t);
 

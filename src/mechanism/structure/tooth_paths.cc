@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "mechanism/force_elements/force_element.h"
-
 namespace clevis::mechanism {
 namespace {
 
@@ -75,25 +73,13 @@ bool is_unique(const Motion& motion, std::size_t joint) {
   });
 }
 
-/// Whether the teeth's forces are in the reactions. Friction of an integrated
-/// motion follows reactions without them.
-/// @param loads  the joints that they load.
-bool is_resolved(const MechanismDefinition& definition, const Motion& motion,
-                 std::size_t coupling, const std::vector<bool>& loads) {
-  if (std::ranges::any_of(motion.instants, [&](const Instant& instant) {
-        const CouplingState& state = instant.couplings[coupling];
-        return !state.teeth || !state.unique;
-      })) {
-    return false;
-  }
-  if (!motion.integration) return !motion.instants.empty();
-  return std::ranges::none_of(
-      definition.elements, [&](const ForceElement& element) {
-        const ElementLine* line = line_of(element);
-        return line != nullptr && line->joint >= 0 &&
-               properties(element).follows_reaction &&
-               loads[static_cast<std::size_t>(line->joint)];
-      });
+/// Whether the teeth's forces are in the reactions.
+bool is_resolved(const Motion& motion, std::size_t coupling) {
+  return !motion.instants.empty() &&
+         std::ranges::all_of(motion.instants, [coupling](const auto& instant) {
+           const CouplingState& state = instant.couplings[coupling];
+           return state.teeth && state.unique;
+         });
 }
 
 bool share_a_body(const JointDefinition& one, const JointDefinition& other) {
@@ -106,6 +92,7 @@ bool share_a_body(const JointDefinition& one, const JointDefinition& other) {
 std::vector<std::size_t> joints_without_teeth(
     const MechanismDefinition& definition, const Motion& motion,
     std::size_t index) {
+  if (is_resolved(motion, index)) return {};
   const CouplingDefinition& coupling = definition.couplings[index];
   const std::array coupled{static_cast<std::size_t>(coupling.joint_1),
                            static_cast<std::size_t>(coupling.joint_2)};
@@ -123,7 +110,6 @@ std::vector<std::size_t> joints_without_teeth(
                           {one.body_a, one.body_b, other.body_a, other.body_b});
   }
   for (const std::size_t joint : coupled) lack[joint] = true;
-  if (is_resolved(definition, motion, index, lack)) return {};
   std::vector<std::size_t> joints;
   for (std::size_t j = 0; j < lack.size(); ++j) {
     if (lack[j]) joints.push_back(j);

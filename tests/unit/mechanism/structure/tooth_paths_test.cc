@@ -34,26 +34,13 @@ class Scene {
     coupling.joint_1 = static_cast<int>(definition.joints.size()) - 2;
     coupling.joint_2 = coupling.joint_1 + 1;
     instant.couplings = {teeth};
-    if (is_integrated) motion.integration.emplace();
     std::vector<std::string> names;
     for (const std::size_t j : joints_without_teeth(definition, motion, 0)) {
       names.push_back(definition.joints[j].name);
     }
     return names;
   }
-  /// Friction at a joint that follows its reaction.
-  Scene& friction(int joint) {
-    FrictionLaw law;
-    law.follows_reaction = true;
-    LineElement element;
-    element.line.joint = joint;
-    element.law = law;
-    definition_.elements.emplace_back(element);
-    return *this;
-  }
-
   CouplingState teeth;
-  bool is_integrated = false;
 
  private:
   MechanismDefinition definition_;
@@ -127,18 +114,6 @@ TEST(ToothPaths, ResolvedTeethLackNowhere) {
   EXPECT_EQ(scene.lacking(), Names{});
   scene.teeth.unique = false;
   EXPECT_EQ(scene.lacking(), (Names{"wheel", "pinion"}));
-}
-
-// An integration follows reactions without the teeth's forces.
-TEST(ToothPaths, FrictionOfAnIntegratedMotionLacksThem) {
-  Scene scene = gears();
-  scene.friction(1);
-  EXPECT_EQ(scene.lacking(), Names{});
-  scene.is_integrated = true;
-  EXPECT_EQ(scene.lacking(), (Names{"wheel", "pinion"}));
-  Scene elsewhere = gears();
-  elsewhere.friction(0).is_integrated = true;
-  EXPECT_EQ(elsewhere.lacking(), Names{});
 }
 
 }  // namespace
