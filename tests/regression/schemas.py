@@ -54,7 +54,8 @@ path = "part.link.thickness"
 values = ["8 mm", "10 mm"]
 """
 # Every joint, drive law and kind of force, and what only some results have.
-SIMULATED = ["tests/data/scenes/every_joint", "tests/data/scenes/motors",
+SIMULATED = ["tests/data/scenes/every_joint", "tests/data/scenes/helical_gears",
+             "tests/data/scenes/motors",
              "tests/data/scenes/bushing", "tests/data/scenes/journal",
              "geometry/landing_gear/scene", "geometry/landing_gear/change_point",
              "geometry/landing_gear/bearings", "geometry/gas_cylinder/scene",

@@ -236,10 +236,10 @@ def check_friction(folder, checks):
     rub = next(force for force in motion["forces"] if force["name"] == "rub")
     checks.near("friction of the bearing", rub["peak_effort_N_m"],
                 0.2 * 0.01 * bearing["peak_force_N"], 1e-9)
-    checks.expect(bearing["peak_force_N"] > TORQUE / 0.06 / math.cos(ANGLE),
+    # 9.81 N without; the friction takes up to 3 % of the torque
+    checks.expect(bearing["peak_force_N"] > 0.8 * TORQUE / 0.06,
                   "the bearing carries the teeth's force")
-    free = housing(teeth, RUB).replace("[simulation]", """[simulation]
-motion = "dynamic"""")
+    free = housing(teeth, RUB).replace("[simulation]", '[simulation]\nmotion = "dynamic"')
     free = free[:free.index("[[drive]]")] + free[free.index("[[force]]"):]
     refused(folder, checks, free, "K011", "in a motion that forces decide", 12)
     refused(folder, checks, housing("", RUB), "K011", "their force is not resolved", 12)

@@ -1,6 +1,6 @@
 #include "mechanism/definition/meshing_wheels.h"
 
-#include <array>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -14,6 +14,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kRoundOff = 1e-6;  // of directions, and of lengths over others
+constexpr double kLeastDistance = 1e-6;  // of axes [m]
 
 const JointDefinition& joint_at(const std::vector<JointDefinition>& joints,
                                 int index) {
@@ -99,7 +100,7 @@ std::optional<ToothMisfit> misfit_of_gears(
         "`pressure_angle` out."};
   }
   const double way = (axes.point_2 - axes.point_1).norm();
-  if (!(axes.distance() > kRoundOff * way)) {
+  if (!(axes.distance() > std::max(kRoundOff * way, kLeastDistance))) {
     return ToothMisfit{"is given for wheels on one axis",
                        "Move the joints' points to the two axes."};
   }

@@ -62,8 +62,8 @@ BodyLoads::BodyLoads(const MechanismDefinition& definition, double length)
   for (const CouplingDefinition& coupling : definition.couplings) {
     const JointDefinition& one = joint_of(definition, coupling.joint_1);
     const JointDefinition& two = joint_of(definition, coupling.joint_2);
-    add(1, moving({one.body_a, one.body_b, two.body_a, two.body_b}), true,
-        false);
+    add(1, moving({one.body_a, one.body_b, two.body_a, two.body_b}),
+        coordinate_row(one.type, coupling.coordinate_1).is_angle(), true);
   }
   for (const ForceElement& element : definition.elements) {
     const auto [a, b] = bodies_of(element, definition.joints);

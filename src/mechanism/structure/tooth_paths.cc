@@ -92,8 +92,8 @@ bool share_a_body(const JointDefinition& one, const JointDefinition& other) {
 std::vector<std::size_t> joints_without_teeth(
     const MechanismDefinition& definition, const Motion& motion,
     std::size_t index) {
-  if (is_resolved(motion, index)) return {};
   const CouplingDefinition& coupling = definition.couplings[index];
+  if (coupling.teeth && is_resolved(motion, index)) return {};
   const std::array coupled{static_cast<std::size_t>(coupling.joint_1),
                            static_cast<std::size_t>(coupling.joint_2)};
   const JointDefinition& one = definition.joints[coupled[0]];

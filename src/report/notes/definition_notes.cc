@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "mechanism/definition/meshing_wheels.h"
 #include "part/gyration.h"
 
 namespace clevis::report {
@@ -142,6 +143,29 @@ void add_unjoined(const MechanismDefinition& definition,
   }
 }
 
+/// Teeth far beside their wheel's joint bend its shaft by a unit, not a load.
+void add_far_teeth(const MechanismDefinition& definition,
+                   std::vector<std::string>& notes) {
+  constexpr double kFar = 10.0;  // radii of the larger wheel
+  for (const auto& coupling : definition.couplings) {
+    if (!coupling.teeth || !coupling.teeth->mid_face) continue;
+    const auto& joint =
+        definition.joints[static_cast<std::size_t>(coupling.joint_1)];
+    double radius = std::abs(coupling.ratio);
+    if (joint.type == mechanism::JointType::kRevolute) {
+      const auto circles =
+          mechanism::pitch_circles(definition.joints, coupling);
+      radius = std::max(circles.radius_1(), circles.radius_2());
+    }
+    const double away = std::abs(*coupling.teeth->mid_face);
+    if (away <= kFar * radius) continue;
+    notes.push_back(fmt::format(
+        "coupling {}: its teeth stand {:.4g} mm beside its joint, {:.3g} times "
+        "their pitch radius: see that the unit of mid_face is right",
+        coupling.name, 1e3 * away, away / radius));
+  }
+}
+
 }  // namespace
 
 void add_definition_notes(const MechanismDefinition& definition,
@@ -150,6 +174,7 @@ void add_definition_notes(const MechanismDefinition& definition,
   add_densities(definition, notes);
   add_far_centres(definition, notes);
   add_unjoined(definition, notes);
+  add_far_teeth(definition, notes);
 }
 
 double mechanism_size(const MechanismDefinition& definition) {

@@ -34,6 +34,7 @@ class Scene {
     coupling.joint_1 = static_cast<int>(definition.joints.size()) - 2;
     coupling.joint_2 = coupling.joint_1 + 1;
     instant.couplings = {teeth};
+    if (teeth.teeth) coupling.teeth.emplace();
     std::vector<std::string> names;
     for (const std::size_t j : joints_without_teeth(definition, motion, 0)) {
       names.push_back(definition.joints[j].name);
