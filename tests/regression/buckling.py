@@ -7,6 +7,7 @@
   CalculiX's *BUCKLE on the exported deck, its cells cut finer (skipped without ccx).
 - A link between two pins: their forces go through their axes, whatever the bores
   turn by. As dead loads on the walls they would hold the eyes: 5 % more.
+- The ears of a fork tilt each by itself, be they one group or two.
 - A clamped column under three times its Euler load must fail, by its buckling;
   under a third of it, it passes.
 - A strip that linear theory bends by half of its length does not pass.
@@ -171,6 +172,58 @@ def pin_faults(clevis, folder):
         yield f"between pins: {factor} for {truth}"
 
 
+FORK = """SetFactory("OpenCASCADE");
+Box(1) = {-10, -12, -22, 10, 24, 44};
+For i In {0 : 1}
+  z = -22 + 40 * i;
+  Box(10 + i) = {0, -12, z, 40, 24, 4};
+  Cylinder(20 + i) = {40, 0, z, 0, 0, 4, 12};
+  Cylinder(30 + i) = {40, 0, z - 1, 0, 0, 6, 6};
+EndFor
+BooleanUnion(50) = { Volume{1}; Delete; }{ Volume{10, 11, 20, 21}; Delete; };
+BooleanDifference(60) = { Volume{50}; Delete; }{ Volume{30, 31}; Delete; };
+Physical Volume("body") = {60};
+end() = Surface In BoundingBox {-10.1, -13, -23, -9.9, 13, 23};
+Physical Surface("end") = {end()};
+low() = Surface In BoundingBox {33.9, -6.1, -22.1, 46.1, 6.1, -17.9};
+high() = Surface In BoundingBox {33.9, -6.1, 17.9, 46.1, 6.1, 22.1};
+GROUPS
+Mesh.MeshSizeMax = 9; Mesh.MeshSizeMin = 5; Mesh.ElementOrder = 2; Mesh.HighOrderOptimize = 2;
+"""
+EARS = MATERIAL + """
+[[part]]
+name = "fork"
+mesh = "fork.msh"
+length_unit = "mm"
+material = "steel"
+[[part.case]]
+name = "press"
+fixed = {{ end = ["x", "y", "z"] }}
+pins = {{ {pins} }}
+"""
+
+
+def fork_faults(clevis, folder):
+    """Two ears of 24 x 4 mm pressed along by a pin, which holds neither upright."""
+    factors = []
+    for name, groups, pins in (
+            ("one", 'Physical Surface("bore_pin") = {low(), high()};',
+             'bore_pin = ["-2000 N", "0 N", "0 N"]'),
+            ("two", 'Physical Surface("bore_low") = {low()};'
+                    'Physical Surface("bore_high") = {high()};',
+             'bore_low = ["-1000 N", "0 N", "0 N"], bore_high = ["-1000 N", "0 N", "0 N"]')):
+        place = folder / f"fork_{name}"
+        place.mkdir()
+        support.gmsh(place, FORK.replace("GROUPS", groups), "fork")
+        (place / "scene.toml").write_text(EARS.format(pins=pins))
+        answer = support.check(clevis, place / "scene.toml", "--tolerance", "20%",
+                               "--max-dofs", "20000", exits=support.JUDGED)
+        factors.append(answer.part["buckling"]["factor"])
+    print(f"fork: {factors[0]:.4f} as one group, {factors[1]:.4f} as two")
+    if abs(factors[0] / factors[1] - 1) > 2e-3:
+        yield f"fork: {factors[0]} as one group, {factors[1]} as two"
+
+
 def column_faults(clevis, folder):
     length, side = 1000.0, 10.0
     bar_mesh(folder / "bar.msh", length, side, side, 20)
@@ -232,6 +285,7 @@ def main():
                       *bed_faults(clevis, folder),
                       *strip_faults(clevis, folder),
                       *pin_faults(clevis, folder),
+                      *fork_faults(clevis, folder),
                       *link_faults(clevis, root, folder)):
             found.append(fault)
     for fault in found:

@@ -7,6 +7,7 @@
 
 #include "elasticity/assembly/supports.h"
 #include "elasticity/fe_space/group_trace.h"
+#include "elasticity/holds/bore_pieces.h"
 #include "elasticity/nodal_loads/seat_means.h"
 #include "loads/history/motion_instants.h"
 
@@ -21,17 +22,29 @@ using Eigen::VectorXd;
 constexpr Index kMotion = 6;
 using Wrench6 = Eigen::Matrix<double, kMotion, 1>;
 
-/// sym(Σ fᵢ rᵢᵀ) of nodal forces f [N] at r from the seat's point [N m].
+/// sym(Σ fᵢ rᵢᵀ) of nodal forces f [N] at r from a point [N m].
+/// @param counts  whether a node does.
+template <class Counts>
 Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
                    const std::vector<Index>& nodes,
                    const Eigen::Matrix3Xd& positions,
-                   const Eigen::Vector3d& point) {
+                   const Eigen::Vector3d& point, const Counts& counts) {
   Matrix3d sum = Matrix3d::Zero();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!counts(nodes[i])) continue;
     sum += forces.segment<3>(3 * static_cast<Index>(i)) *
            (positions.col(nodes[i]) - point).transpose();
   }
   return 0.5 * (sum + sum.transpose());
+}
+
+Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
+                   const std::vector<Index>& nodes,
+                   const Eigen::Matrix3Xd& positions,
+                   const Eigen::Vector3d& point) {
+  return virial_of(forces, nodes, positions, point, [](Index) {
+    return true;
+  });
 }
 
 /// A place of a surface, and its share [1].
@@ -40,10 +53,14 @@ using Share = std::pair<std::size_t, double>;
 /// A seat's surface.
 struct SeatSurface {
   /// Its mean motions, which are nodal forces of unit wrenches as well; of a
-  /// slide those of what is touched, at some of its places.
+  /// slide those of what is touched, at some of its places; of a bore in pieces
+  /// those of each behind those of all.
   std::vector<NodeFunctionals<3>> motions;
   std::vector<std::vector<Share>> shares;  ///< of the places, by instant
   std::vector<Matrix3d> virials;           ///< of its loads, by instant [N m]
+  /// Of the loads on each piece about its own centre, by instant; they are not
+  /// in the virials of the whole.
+  std::vector<std::vector<Matrix3d>> of_pieces = {};
 };
 
 /// Instants of a slide's motion whose places are spread evenly over its way,
@@ -157,6 +174,24 @@ SeatSurface surface_of(const Discretization<3>& discretization,
     surface.virials.push_back(
         virial_of(loads.values.col(i), nodes, positions, seat.p_LS));
   }
+  if (seat.kind != loads::SeatKind::kBearing) return surface;
+  // Ears of a fork tilt each by itself: all together they hardly turn.
+  const NodeFunctionals<3> whole = surface.motions.front();
+  for (BorePiece& piece :
+       bore_pieces(discretization, seat.group, whole, positions)) {
+    auto& virials = surface.of_pieces.emplace_back();
+    for (Index i = 0; i < loads.values.cols(); ++i) {
+      const auto of = [&](const Eigen::Vector3d& point) {
+        return virial_of(
+            loads.values.col(i), nodes, positions, point, [&piece](Index node) {
+              return piece.has_node[static_cast<std::size_t>(node)];
+            });
+      };
+      virials.push_back(of(piece.centre));
+      surface.virials[static_cast<std::size_t>(i)] -= virials.back();
+    }
+    surface.motions.push_back(std::move(piece.motions));
+  }
   return surface;
 }
 
@@ -225,10 +260,24 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       }
     }
     const MatrixXd gain = found.gain - dead;
+    std::vector<std::pair<Index, Matrix3d>> of_pieces;  // of their turns
     std::vector<Index> kept;     // rows of the gain, by motion
     std::vector<double> shares;  // of a seat's motion, likewise
     for (std::size_t k = 0; k < found.seats.size(); ++k) {
       const Index at = kMotion * static_cast<Index>(k);
+      const auto motion_at = [&](const SeatSurface& here, std::size_t place) {
+        const auto [first, is_new] = known.try_emplace(
+            {found.seats[k], place}, kMotion * std::ssize(seats_));
+        if (is_new) seats_.push_back(here.motions[place]);
+        return first->second;
+      };
+      if (const auto seat = surfaces.find(found.seats[k]);
+          seat != surfaces.end()) {
+        for (std::size_t p = 0; p < seat->second.of_pieces.size(); ++p) {
+          of_pieces.emplace_back(motion_at(seat->second, 1 + p) + 3,
+                                 -gain_of_dead(seat->second.of_pieces[p][i]));
+        }
+      }
       if (!has_faces(discretization, history.seats[found.seats[k]].group) ||
           (scale.segment<kMotion>(at).asDiagonal() *
            gain.middleRows<kMotion>(at) * scale.asDiagonal())
@@ -239,18 +288,25 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       }
       const SeatSurface& here = surface(found.seats[k]);
       for (const auto& [place, share] : here.shares[i]) {
-        const auto [first, is_new] = known.try_emplace(
-            {found.seats[k], place}, kMotion * std::ssize(seats_));
-        if (is_new) seats_.push_back(here.motions[place]);
+        const Index first = motion_at(here, place);
         for (Index motion = 0; motion < kMotion; ++motion) {
           kept.push_back(at + motion);
           shares.push_back(share);
-          push.motions.push_back(first->second + motion);
+          push.motions.push_back(first + motion);
         }
       }
     }
     const Eigen::Map<const VectorXd> by(shares.data(), std::ssize(shares));
-    push.gain = by.asDiagonal() * gain(kept, kept) * by.asDiagonal();
+    const Index whole = std::ssize(kept);
+    push.gain = MatrixXd::Zero(whole + 3 * std::ssize(of_pieces),
+                               whole + 3 * std::ssize(of_pieces));
+    push.gain.topLeftCorner(whole, whole) =
+        by.asDiagonal() * gain(kept, kept) * by.asDiagonal();
+    for (const auto& [turn, of_piece] : of_pieces) {
+      const Index row = std::ssize(push.motions);
+      push.gain.block<3, 3>(row, row) = of_piece;
+      for (Index d = 0; d < 3; ++d) push.motions.push_back(turn + d);
+    }
   }
 }
 
