@@ -25,7 +25,7 @@ constexpr std::array kSources{
            "stop short of the change point, or give the joints there their "
            "`compliance`"},
     Source{&ErrorShares::sharing, "sharing of reactions", false,
-           "give the joints their `compliance`, or take links = \"elastic\""},
+           "give the joints their `compliance`, as the note on them says"},
 };
 
 }  // namespace

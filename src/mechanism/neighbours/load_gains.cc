@@ -205,11 +205,9 @@ class LoadForm {
     }
     for (std::size_t c = 0; c < instant_.couplings.size(); ++c) {
       const CouplingModel& coupling = frame_.couplings[c];
-      if (coupling.teeth) {
-        if (const auto& force = instant_.couplings[c].teeth) {
-          add_teeth(coupling, *force);
-          continue;
-        }
+      if (const auto& force = instant_.couplings[c].teeth) {
+        add_teeth(coupling, *force);
+        continue;
       }
       const double effort = instant_.couplings[c].effort;
       add_effort(coupling.joint_1, coupling.row_1, effort,

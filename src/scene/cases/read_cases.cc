@@ -50,38 +50,6 @@ Eigen::Vector3d vector_or_zero(StrictTable& table, std::string_view key,
   return value ? value->vector(dimension) : Eigen::Vector3d::Zero();
 }
 
-/// Bores whose pins hold the part; nothing else may hold it or load them.
-std::vector<std::string> read_held_by_pin(StrictTable& table,
-                                          const LoadCaseDefinition& load_case) {
-  std::vector<std::string> bores;
-  const auto value = table.find("held_by_pin");
-  if (!value) return bores;
-  for (const Value& element : value->elements()) {
-    const std::string bore = element.text();
-    if (std::ranges::find(bores, bore) != bores.end()) {
-      throw element.refusal("S008", fmt::format("names \"{}\" twice", bore),
-                            "Name each bore once.");
-    }
-    if (load_case.pins.contains(bore)) {
-      throw element.refusal(
-          "S010", fmt::format("holds \"{}\", which `pins` loads", bore),
-          "A pin either holds the part, by a reaction that is found, or loads "
-          "it by a force that is given.");
-    }
-    bores.push_back(bore);
-  }
-  if (bores.empty()) {
-    throw value->refusal("S006", "holds nothing", "Name at least one bore.");
-  }
-  if (table.has("fixed") || table.has("foundation")) {
-    throw value->refusal("S010",
-                         "and `fixed` or `foundation` hold the part together",
-                         "Pins hold a part that is free but for them: leave "
-                         "one of the two out.");
-  }
-  return bores;
-}
-
 void require_load(const StrictTable& table) {
   constexpr std::string_view kLoads[] = {"pins",
                                          "pressure",
@@ -119,7 +87,13 @@ LoadCaseDefinition read_case(StrictTable table) {
   load_case.traction = read_groups<Eigen::Vector3d>(table, "traction", stress);
   load_case.fixed = read_fixed(table);
   load_case.foundations = read_foundations(table);
-  load_case.held_by_pin = read_held_by_pin(table, load_case);
+  load_case.held_by_pin = read_held_by_pin(table, [&](const Value& element) {
+    if (!load_case.pins.contains(element.text())) return;
+    throw element.refusal(
+        "S010", fmt::format("holds \"{}\", which `pins` loads", element.text()),
+        "A pin either holds the part, by a reaction that is found, or "
+        "loads it by a force that is given.");
+  });
   load_case.acceleration =
       vector_or_zero(table, "acceleration", Dimension::kAcceleration) -
       vector_or_zero(table, "gravity", Dimension::kAcceleration);

@@ -144,41 +144,18 @@ double read_largest_imbalance(StrictTable& table, bool has_acceleration) {
   return share;
 }
 
-/// Bores of the file's pins that hold the part; nothing else may hold it.
-std::vector<std::string> read_held_by_pin(
-    StrictTable& table, const std::vector<SeriesSeat>& seats) {
-  std::vector<std::string> bores;
-  const auto value = table.find("held_by_pin");
-  if (!value) return bores;
+/// @throws Error S007.
+void require_pin(const Value& bore, const std::vector<SeriesSeat>& seats) {
   std::vector<std::string_view> known;
   for (const SeriesSeat& seat : seats) {
     if (!seat.is_face) known.push_back(seat.group);
   }
-  for (const Value& element : value->elements()) {
-    const std::string bore = element.text();
-    if (std::ranges::find(bores, bore) != bores.end()) {
-      throw element.refusal("S008", fmt::format("names \"{}\" twice", bore),
-                            "Name each bore once.");
-    }
-    if (std::ranges::find(known, bore) == known.end()) {
-      throw element.refusal(
-          "S007",
-          fmt::format("= \"{}\" is no bore that a pin of the file presses on",
-                      bore),
-          suggestion(bore, known));
-    }
-    bores.push_back(bore);
-  }
-  if (bores.empty()) {
-    throw value->refusal("S006", "holds nothing", "Name at least one bore.");
-  }
-  if (table.has("fixed") || table.has("foundation")) {
-    throw value->refusal("S010",
-                         "and `fixed` or `foundation` hold the part together",
-                         "Pins hold a part that is free but for them: leave "
-                         "one of the two out.");
-  }
-  return bores;
+  if (std::ranges::find(known, bore.text()) != known.end()) return;
+  throw bore.refusal(
+      "S007",
+      fmt::format("= \"{}\" is no bore that a pin of the file presses on",
+                  bore.text()),
+      suggestion(bore.text(), known));
 }
 
 part::LoadSeries read_history(StrictTable& table,
@@ -210,7 +187,9 @@ part::LoadSeries read_history(StrictTable& table,
   series.has_acceleration = loads.has_acceleration();
   series.largest_imbalance =
       read_largest_imbalance(table, series.has_acceleration);
-  series.held_by_pin = read_held_by_pin(table, series.seats);
+  series.held_by_pin = read_held_by_pin(table, [&](const Value& bore) {
+    require_pin(bore, series.seats);
+  });
   series.fixed = read_fixed(table);
   series.foundations = read_foundations(table);
   return series;

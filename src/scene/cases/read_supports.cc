@@ -1,7 +1,10 @@
 #include "scene/cases/read_supports.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include <fmt/format.h>
 
 namespace clevis::scene {
 namespace {
@@ -60,6 +63,32 @@ part::Supports read_fixed(StrictTable& table) {
 
 part::Foundations read_foundations(StrictTable& table) {
   return read_groups<part::Foundation>(table, "foundation", read_foundation);
+}
+
+std::vector<std::string> read_held_by_pin(
+    StrictTable& table, const std::function<void(const Value&)>& require) {
+  std::vector<std::string> bores;
+  const auto value = table.find("held_by_pin");
+  if (!value) return bores;
+  for (const Value& element : value->elements()) {
+    const std::string bore = element.text();
+    if (std::ranges::find(bores, bore) != bores.end()) {
+      throw element.refusal("S008", fmt::format("names \"{}\" twice", bore),
+                            "Name each bore once.");
+    }
+    require(element);
+    bores.push_back(bore);
+  }
+  if (bores.empty()) {
+    throw value->refusal("S006", "holds nothing", "Name at least one bore.");
+  }
+  if (table.has("fixed") || table.has("foundation")) {
+    throw value->refusal("S010",
+                         "and `fixed` or `foundation` hold the part together",
+                         "Pins hold a part that is free but for them: leave "
+                         "one of the two out.");
+  }
+  return bores;
 }
 
 }  // namespace clevis::scene

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "part/supports.h"
 #include "scene/text/strict_table.h"
@@ -29,5 +31,11 @@ part::Supports read_fixed(StrictTable& table);
 /// `foundation` of a case or a history; empty without.
 /// @throws Error S004, S005, S006.
 part::Foundations read_foundations(StrictTable& table);
+
+/// `held_by_pin` of a case or a history, bores whose pins hold the part; empty
+/// without. @param require  throws of a bore that cannot hold.
+/// @throws Error S006, S008, S010.
+std::vector<std::string> read_held_by_pin(
+    StrictTable& table, const std::function<void(const Value&)>& require);
 
 }  // namespace clevis::scene

@@ -127,7 +127,7 @@ TEST(Verdict, AdvisesATighterToleranceWhereThatHelps) {
   bent.deflection_high = 0.6e-3;
   const std::string why = judged(steel_part(), bent).why;
   EXPECT_TRUE(why.ends_with(
-      "mm: give the joints their `compliance`, or take links = \"elastic\""))
+      "mm: give the joints their `compliance`, as the note on them says"))
       << why;
 }
 
