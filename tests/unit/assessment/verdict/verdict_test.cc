@@ -116,9 +116,11 @@ TEST(Verdict, AdvisesATighterToleranceWhereThatHelps) {
       << remedy(&ErrorShares::mesh);
   EXPECT_NE(remedy(&ErrorShares::model).find("tighten --tolerance, or take"),
             std::string::npos);
-  EXPECT_TRUE(remedy(&ErrorShares::sharing)
-                  .ends_with("MPa: give the joints their `compliance`, or take "
-                             "links = \"elastic\""))
+  EXPECT_TRUE(
+      remedy(&ErrorShares::sharing)
+          .ends_with(
+              "MPa: give the joints their `compliance`, as the note on them "
+              "says"))
       << remedy(&ErrorShares::sharing);
   EXPECT_TRUE(remedy(&ErrorShares::time).ends_with("[simulation])"));
   PartResult bent = converged(9e6, 10e6, 40e6);
