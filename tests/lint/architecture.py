@@ -215,7 +215,7 @@ PUBLIC = {
                 " curves/cubic_spline curves/dip curves/linear_table"
                 " integrators/integrator_choice integrators/ode_system"
                 " integrators/switching_integrator",
-    "mechanism": "definition/definition definition/drive_names definition/meshing_wheels definition/motion"
+    "mechanism": "definition/definition definition/drive_names definition/meshing_wheels definition/motion definition/pitch_radii"
                  " force_elements/breakaway force_elements/force_element joints/joint_types"
                  " neighbours/elements_at_rest neighbours/load_gains neighbours/neighbour_inertia neighbours/neighbours reactions/largest_reaction"
                  " reactions/other_sharings simulate structure/joined_bodies structure/structure structure/tooth_paths",

@@ -30,7 +30,7 @@ MATERIAL = f"""schema = 1
 name = "buckling"
 {support.STEEL}"""
 
-LINK = MATERIAL + """
+PRESSED = MATERIAL + """
 [[part]]
 name = "link"
 mesh = "{mesh}"
@@ -39,6 +39,9 @@ material = "steel"
 
 [[part.case]]
 name = "press"
+"""
+
+LINK = PRESSED + """
 fixed = {{ {held} = ["x", "y", "z"] }}
 traction = {{ {pressed} = ["{x} MPa", "{y} MPa", "0 MPa"] }}
 """
@@ -190,14 +193,7 @@ high() = Surface In BoundingBox {33.9, -6.1, 17.9, 46.1, 6.1, 22.1};
 GROUPS
 Mesh.MeshSizeMax = 9; Mesh.MeshSizeMin = 5; Mesh.ElementOrder = 2; Mesh.HighOrderOptimize = 2;
 """
-EARS = MATERIAL + """
-[[part]]
-name = "fork"
-mesh = "fork.msh"
-length_unit = "mm"
-material = "steel"
-[[part.case]]
-name = "press"
+EARS = PRESSED + """
 fixed = {{ end = ["x", "y", "z"] }}
 pins = {{ {pins} }}
 """
@@ -215,7 +211,7 @@ def fork_faults(clevis, folder):
         place = folder / f"fork_{name}"
         place.mkdir()
         support.gmsh(place, FORK.replace("GROUPS", groups), "fork")
-        (place / "scene.toml").write_text(EARS.format(pins=pins))
+        (place / "scene.toml").write_text(EARS.format(mesh="fork.msh", pins=pins))
         answer = support.check(clevis, place / "scene.toml", "--tolerance", "20%",
                                "--max-dofs", "20000", exits=support.JUDGED)
         factors.append(answer.part["buckling"]["factor"])

@@ -11,7 +11,6 @@
 #include "loads/history/balance.h"
 #include "loads/seats/force_seats.h"
 #include "loads/seats/part_seats.h"
-#include "mechanism/definition/meshing_wheels.h"
 
 namespace clevis::app {
 namespace {
@@ -21,13 +20,8 @@ namespace {
 /// @throws Error L004.
 void require_no_teeth(const loads::SeatContext& context) {
   for (const auto& coupling : context.definition.couplings) {
-    if (!coupling.teeth) continue;  // refused with its seats
-    const auto wheels =
-        mechanism::meshing_wheels(context.definition.joints, coupling);
-    if (context.body != wheels->carrier_1 &&
-        context.body != wheels->carrier_2) {
-      continue;
-    }
+    // One without is refused with its seats.
+    if (!coupling.teeth || !loads::carries_wheels(context, coupling)) continue;
     throw Error("L004", context.place("seats"),
                 fmt::format("the part carries the wheels of coupling \"{}\", "
                             "whose teeth strain it: links = \"elastic\" leaves "

@@ -265,30 +265,30 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
     std::vector<double> shares;  // of a seat's motion, likewise
     for (std::size_t k = 0; k < found.seats.size(); ++k) {
       const Index at = kMotion * static_cast<Index>(k);
-      const auto motion_at = [&](const SeatSurface& here, std::size_t place) {
+      if (!has_faces(discretization, history.seats[found.seats[k]].group)) {
+        continue;
+      }
+      const SeatSurface& here = surface(found.seats[k]);
+      const auto motion_at = [&](std::size_t place) {
         const auto [first, is_new] = known.try_emplace(
             {found.seats[k], place}, kMotion * std::ssize(seats_));
         if (is_new) seats_.push_back(here.motions[place]);
         return first->second;
       };
-      if (const auto seat = surfaces.find(found.seats[k]);
-          seat != surfaces.end()) {
-        for (std::size_t p = 0; p < seat->second.of_pieces.size(); ++p) {
-          of_pieces.emplace_back(motion_at(seat->second, 1 + p) + 3,
-                                 -gain_of_dead(seat->second.of_pieces[p][i]));
-        }
+      for (std::size_t p = 0; p < here.of_pieces.size(); ++p) {
+        const Matrix3d of_piece = -gain_of_dead(here.of_pieces[p][i]);
+        if (of_piece.norm() <= kNothing * forces * size) continue;
+        of_pieces.emplace_back(motion_at(1 + p) + 3, of_piece);
       }
-      if (!has_faces(discretization, history.seats[found.seats[k]].group) ||
-          (scale.segment<kMotion>(at).asDiagonal() *
+      if ((scale.segment<kMotion>(at).asDiagonal() *
            gain.middleRows<kMotion>(at) * scale.asDiagonal())
-                      .norm() *
-                  size <=
-              kNothing * forces) {
+                  .norm() *
+              size <=
+          kNothing * forces) {
         continue;
       }
-      const SeatSurface& here = surface(found.seats[k]);
       for (const auto& [place, share] : here.shares[i]) {
-        const Index first = motion_at(here, place);
+        const Index first = motion_at(place);
         for (Index motion = 0; motion < kMotion; ++motion) {
           kept.push_back(at + motion);
           shares.push_back(share);
@@ -297,10 +297,10 @@ SeatPushes::SeatPushes(const Discretization<3>& discretization,
       }
     }
     const Eigen::Map<const VectorXd> by(shares.data(), std::ssize(shares));
-    const Index whole = std::ssize(kept);
-    push.gain = MatrixXd::Zero(whole + 3 * std::ssize(of_pieces),
-                               whole + 3 * std::ssize(of_pieces));
-    push.gain.topLeftCorner(whole, whole) =
+    const Index of_seats = std::ssize(kept);
+    const Index all = of_seats + 3 * std::ssize(of_pieces);
+    push.gain = MatrixXd::Zero(all, all);
+    push.gain.topLeftCorner(of_seats, of_seats) =
         by.asDiagonal() * gain(kept, kept) * by.asDiagonal();
     for (const auto& [turn, of_piece] : of_pieces) {
       const Index row = std::ssize(push.motions);

@@ -24,7 +24,7 @@ std::size_t at(Index i) {
 
 /// Nodes of faces that hang together by common nodes, by node of the part.
 std::vector<std::vector<bool>> connected_nodes(
-    const std::vector<GroupTrace::Face>& faces, int nodes) {
+    const std::vector<std::vector<int>>& faces, int nodes) {
   std::vector<int> root(static_cast<std::size_t>(nodes));
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&root](int node) {
@@ -35,21 +35,37 @@ std::vector<std::vector<bool>> connected_nodes(
     return node;
   };
   for (const auto& face : faces) {
-    for (const int node : face.nodes) {
-      root[static_cast<std::size_t>(find(node))] = find(face.nodes.front());
+    for (const int node : face) {
+      root[static_cast<std::size_t>(find(node))] = find(face.front());
     }
   }
   std::map<int, std::vector<bool>> pieces;
   for (const auto& face : faces) {
-    auto& piece = pieces[find(face.nodes.front())];
+    auto& piece = pieces[find(face.front())];
     piece.resize(static_cast<std::size_t>(nodes), false);
-    for (const int node : face.nodes) {
+    for (const int node : face) {
       piece[static_cast<std::size_t>(node)] = true;
     }
   }
   std::vector<std::vector<bool>> result;
   for (auto& [first, piece] : pieces) result.push_back(std::move(piece));
   return result;
+}
+
+std::vector<std::vector<int>> nodes_of_faces(
+    const Discretization<3>& discretization, std::size_t group) {
+  FaceTables<3> tables;
+  std::vector<std::vector<int>> faces;
+  for (const GroupFace& face : discretization.group_faces[group]) {
+    const auto& nodes =
+        discretization.cell_nodes[static_cast<std::size_t>(face.cell)];
+    auto& of_face = faces.emplace_back();
+    for (const std::size_t function :
+         whole_face_table(discretization, face.face, tables).functions) {
+      of_face.push_back(nodes[function]);
+    }
+  }
+  return faces;
 }
 
 /// Mean motions about a centre of some nodes of a surface. Linear tractions on
@@ -93,10 +109,10 @@ std::vector<BorePiece> bore_pieces(const Discretization<3>& discretization,
   const auto found =
       std::ranges::find(groups, group, &mesh::SurfaceGroup::name);
   if (found == groups.end() || !found->cylinder) return {};
-  FaceTables<3> tables;
-  const GroupTrace trace = group_trace(
-      discretization, static_cast<int>(found - groups.begin()), tables);
-  auto pieces = connected_nodes(trace.faces, discretization.nodes);
+  auto pieces = connected_nodes(
+      nodes_of_faces(discretization,
+                     static_cast<std::size_t>(found - groups.begin())),
+      discretization.nodes);
   if (pieces.size() < 2) return {};
   const part::Bore& bore = *found->cylinder;
   std::vector<BorePiece> result;

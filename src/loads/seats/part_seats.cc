@@ -81,14 +81,6 @@ GroupGeometry pressurized_group(const SeatContext& context,
   return group;
 }
 
-/// Nothing but their bearings loads it then. @pre the coupling has teeth.
-bool carries_wheels(const SeatContext& context,
-                    const mechanism::CouplingDefinition& coupling) {
-  const auto wheels =
-      mechanism::meshing_wheels(context.definition.joints, coupling);
-  return context.body == wheels->carrier_1 || context.body == wheels->carrier_2;
-}
-
 /// Of a wheel, whose teeth travel round it, and of what carries wheels whose
 /// teeth are not resolved.
 [[noreturn]] void refuse_teeth(const SeatContext& context,
@@ -166,6 +158,13 @@ std::vector<DrivenSeat> driven_seats(const SeatContext& context) {
     }
   }
   return seats;
+}
+
+bool carries_wheels(const SeatContext& context,
+                    const mechanism::CouplingDefinition& coupling) {
+  const auto wheels =
+      mechanism::meshing_wheels(context.definition.joints, coupling);
+  return context.body == wheels->carrier_1 || context.body == wheels->carrier_2;
 }
 
 void require_seats(const SeatContext& context) {

@@ -14,6 +14,11 @@ std::vector<GroupGeometry> pressurized_groups(
     const SeatContext& context, const std::vector<std::string>& names,
     const std::string& place);
 
+/// Whether the body carries wheels of a coupling: their bearings alone load it
+/// then. @pre the coupling has teeth.
+bool carries_wheels(const SeatContext& context,
+                    const mechanism::CouplingDefinition& coupling);
+
 /// Refuses a body on which a joint or drive acts that has no seat.
 /// @throws Error L004.
 void require_seats(const SeatContext& context);

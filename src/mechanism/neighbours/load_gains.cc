@@ -227,19 +227,19 @@ class LoadForm {
     const auto add = [&](int wheel, int joint, const JointRow& row,
                          const Vector3d& on_wheel) {
       const auto moved = mover(wheel, LoadPlace::Kind::kJoint, joint, joint);
-      if (moved && row.is_angle()) {
-        const PlacedJoint bearing = placed(index(joint));
-        const Vector3d axis = bearing.action(row).w;
-        const Vector3d middle =
-            bearing.p_b + (pitch - bearing.p_b).dot(axis) * axis;
-        const Vector3d out = (pitch - middle).normalized();
-        const Vector3d radial = on_wheel.dot(out) * out;
-        form_.add_force(*moved, radial, middle - moved->p);
-        form_.add_force(*moved, on_wheel - radial, pitch - moved->p);
-      } else if (moved) {
-        form_.add_force(*moved, on_wheel, pitch - moved->p);
-      }
-      if (guide) form_.add_turning(*guide, moved, pitch, on_wheel);
+      const auto press = [&](const Vector3d& f, const Vector3d& at) {
+        if (moved) form_.add_force(*moved, f, at - moved->p);
+        if (guide) form_.add_turning(*guide, moved, at, f);
+      };
+      if (!row.is_angle()) return press(on_wheel, pitch);
+      const PlacedJoint bearing = placed(index(joint));
+      const Vector3d axis = bearing.action(row).w;
+      const Vector3d middle =
+          bearing.p_b + (pitch - bearing.p_b).dot(axis) * axis;
+      const Vector3d out = (pitch - middle).normalized();
+      const Vector3d radial = on_wheel.dot(out) * out;
+      press(radial, middle);
+      press(on_wheel - radial, pitch);
     };
     add(coupling.teeth->wheel_1, coupling.joint_1, coupling.row_1, force);
     add(coupling.teeth->wheel_2, coupling.joint_2, coupling.row_2, -force);

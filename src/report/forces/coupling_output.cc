@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "mechanism/definition/meshing_wheels.h"
+#include "mechanism/definition/pitch_radii.h"
 #include "mechanism/joints/joint_types.h"
 #include "report/summary/mechanism_summary.h"
 #include "report/text/text_table.h"
@@ -28,35 +28,40 @@ bool turns(const MotionReport& report, std::size_t k) {
       .is_angle();
 }
 
-Peak peak_effort(const MotionReport& report, std::size_t k) {
+template <class Size>
+Peak peak_of(const MotionReport& report, std::size_t k, const Size& size) {
   Peak peak;
   for (const auto& instant : report.motion.instants) {
-    const double here = std::abs(instant.couplings[k].effort);
+    const double here = size(instant.couplings[k]);
     if (here > peak.value) peak = {here, instant.t};
   }
   return peak;
 }
 
+Peak peak_effort(const MotionReport& report, std::size_t k) {
+  return peak_of(report, k, [](const mechanism::CouplingState& coupling) {
+    return std::abs(coupling.effort);
+  });
+}
+
 /// Largest tooth force; nothing where it is not resolved.
 std::optional<Peak> peak_tooth_force(const MotionReport& report,
                                      std::size_t k) {
-  std::optional<Peak> peak;
-  for (const auto& instant : report.motion.instants) {
-    const auto& teeth = instant.couplings[k].teeth;
-    if (!teeth) return std::nullopt;
-    const double here = teeth->f_W.norm();
-    if (!peak || here > peak->value) peak = {here, instant.t};
+  if (!std::ranges::all_of(report.motion.instants, [k](const auto& instant) {
+        return instant.couplings[k].teeth.has_value();
+      })) {
+    return std::nullopt;
   }
-  return peak;
+  return peak_of(report, k, [](const mechanism::CouplingState& coupling) {
+    return coupling.teeth->f_W.norm();
+  });
 }
 
-/// Of wheels 1 and 2, of a rack its pinion's [mm].
-std::vector<double> pitch_radii_mm(const MotionReport& report, std::size_t k) {
-  const auto& coupling = report.definition.couplings[k];
-  if (!turns(report, k)) return {1e3 * std::abs(coupling.ratio)};
-  const auto circles =
-      mechanism::pitch_circles(report.definition.joints, coupling);
-  return {1e3 * circles.radius_1(), 1e3 * circles.radius_2()};
+std::vector<double> radii_mm(const MotionReport& report, std::size_t k) {
+  auto radii = mechanism::pitch_radii(report.definition.joints,
+                                      report.definition.couplings[k]);
+  for (double& radius : radii) radius *= 1e3;
+  return radii;
 }
 
 bool is_unique(const MotionReport& report, std::size_t k) {
@@ -85,7 +90,7 @@ ordered_json couplings_json(const MotionReport& report) {
         {"peak_effort_at_s", peak.at},
         {"unique", is_unique(report, k)}};
     if (const auto force = peak_tooth_force(report, k)) {
-      coupling["pitch_radii_mm"] = pitch_radii_mm(report, k);
+      coupling["pitch_radii_mm"] = radii_mm(report, k);
       coupling["peak_tooth_force_N"] = force->value;
       coupling["peak_tooth_force_at_s"] = force->at;
     }
@@ -127,8 +132,8 @@ std::string couplings_text(const MotionReport& report, Colour colour) {
     cells.push_back({fmt::format("{:.6g}", peak.at)});
     cells.push_back({is_unique(report, k) ? "yes" : "no"});
     if (const auto force = peak_tooth_force(report, k)) {
-      cells.push_back({fmt::format(
-          "{:.4g} mm", fmt::join(pitch_radii_mm(report, k), ", "))});
+      cells.push_back(
+          {fmt::format("{:.4g} mm", fmt::join(radii_mm(report, k), ", "))});
       cells.push_back({fmt::format("{:.4g} N", force->value)});
     } else if (has_teeth) {
       cells.insert(cells.end(), 2, {"-"});

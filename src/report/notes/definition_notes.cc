@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "mechanism/definition/meshing_wheels.h"
+#include "mechanism/definition/pitch_radii.h"
 #include "part/gyration.h"
 
 namespace clevis::report {
@@ -149,14 +149,8 @@ void add_far_teeth(const MechanismDefinition& definition,
   constexpr double kFar = 10.0;  // radii of the larger wheel
   for (const auto& coupling : definition.couplings) {
     if (!coupling.teeth || !coupling.teeth->mid_face) continue;
-    const auto& joint =
-        definition.joints[static_cast<std::size_t>(coupling.joint_1)];
-    double radius = std::abs(coupling.ratio);
-    if (joint.type == mechanism::JointType::kRevolute) {
-      const auto circles =
-          mechanism::pitch_circles(definition.joints, coupling);
-      radius = std::max(circles.radius_1(), circles.radius_2());
-    }
+    const double radius =
+        std::ranges::max(mechanism::pitch_radii(definition.joints, coupling));
     const double away = std::abs(*coupling.teeth->mid_face);
     if (away <= kFar * radius) continue;
     notes.push_back(fmt::format(

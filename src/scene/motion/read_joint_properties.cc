@@ -21,7 +21,6 @@ using mechanism::CouplingDefinition;
 using mechanism::JointCompliance;
 using mechanism::JointDefinition;
 using mechanism::JointType;
-using mechanism::ToothGeometry;
 
 Vector3d world_point(const std::vector<BodyDefinition>& bodies, BodyIndex body,
                      const Vector3d& p_LP) {
@@ -92,11 +91,11 @@ double read_tooth_angle(const Value& value, double low, double high) {
       fmt::format("Give an angle from {} to {} deg.", low, high));
 }
 
-/// The keys that resolve the tooth force of a coupling; nothing without them.
-std::optional<ToothGeometry> read_teeth(
-    StrictTable& table, bool is_gear,
-    const std::vector<JointDefinition>& joints,
-    const CouplingDefinition& coupling) {
+/// The keys that resolve the tooth force of a coupling that is read but for
+/// them.
+void read_teeth(StrictTable& table, bool is_gear,
+                const std::vector<JointDefinition>& joints,
+                CouplingDefinition& coupling) {
   const auto pressure_angle = table.find("pressure_angle");
   const auto helix_angle = table.find("helix_angle");
   const auto mid_face = table.find("mid_face");
@@ -106,23 +105,21 @@ std::optional<ToothGeometry> read_teeth(
       throw key->refusal("S010", "stands without `pressure_angle`",
                          "Give the teeth's `pressure_angle`, as \"20 deg\".");
     }
-    return std::nullopt;
+    return;
   }
   if (helix_angle && !is_gear) {
     throw helix_angle->refusal("S010", "stands in a rack",
                                "Only racks with straight teeth are resolved.");
   }
-  CouplingDefinition with_teeth = coupling;
-  ToothGeometry& teeth = with_teeth.teeth.emplace();
+  mechanism::ToothGeometry& teeth = coupling.teeth.emplace();
   teeth.pressure_angle = read_tooth_angle(*pressure_angle, 0.0, 45.0);
   if (helix_angle) {
     teeth.helix_angle = read_tooth_angle(*helix_angle, -60.0, 60.0);
   }
   if (mid_face) teeth.mid_face = mid_face->quantity(Dimension::kLength);
-  if (const auto misfit = mechanism::tooth_misfit(joints, with_teeth)) {
+  if (const auto misfit = mechanism::tooth_misfit(joints, coupling)) {
     throw pressure_angle->refusal("S010", misfit->what, misfit->remedy);
   }
-  return teeth;
 }
 
 CouplingDefinition read_coupling(StrictTable& table,
@@ -170,7 +167,7 @@ CouplingDefinition read_coupling(StrictTable& table,
     coupling.offset =
         offset->quantity(gear ? Dimension::kAngle : Dimension::kLength);
   }
-  coupling.teeth = read_teeth(table, gear, joints, coupling);
+  read_teeth(table, gear, joints, coupling);
   table.finish(fmt::format("with type = \"{}\"", type.text()));
   return coupling;
 }

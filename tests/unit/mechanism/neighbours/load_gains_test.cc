@@ -301,7 +301,7 @@ TEST(LoadGains, OfTeethGoThroughTheWheelsCentre) {
   MechanismDefinition definition;
   definition.bodies = {
       bar(Vector3d(-0.1, 0.0, 0.0)), bar(Vector3d(0.05, 0.0, 0.0)),
-      bar(Vector3d(kAxle, 0.0, 0.0)), bar(Vector3d(kAxle, 0.0, 0.0))};
+      bar(Vector3d(kAxle - 0.05, 0.01, 0.0)), bar(Vector3d(kAxle, 0.0, 0.0))};
   definition.joints = {joint(JointType::kWeld, 0, 1, 0.0),
                        joint(JointType::kWeld, kGround, 0, -0.1),
                        joint(JointType::kPrismatic, kGround, 3, kAxle),
@@ -333,6 +333,44 @@ TEST(LoadGains, OfTeethGoThroughTheWheelsCentre) {
       load_gains(Neighbours(definition, 0), instant,
                  {{LoadPlace::Kind::kJoint, 0, Vector3d::Zero()}});
   EXPECT_NEAR(found(5, 5), kForce * kAxle, kRoundOff * kForce);
+}
+
+// A housing of two wheels whose torques their drives put on it: as it turns as
+// a whole all that acts between its bodies turns with it.
+TEST(LoadGains, OfTeethOnOneHousingThatTurnsNone) {
+  MechanismDefinition definition;
+  definition.bodies = {bar(Vector3d::Zero()), bar(Vector3d(0.12, 0.01, 0.0)),
+                       bar(Vector3d(0.37, -0.02, 0.0))};
+  definition.joints = {joint(JointType::kRevolute, 0, 1, 0.1),
+                       joint(JointType::kRevolute, 0, 2, 0.4)};
+  CouplingDefinition& mesh = definition.couplings.emplace_back();
+  mesh.joint_2 = 1;
+  mesh.ratio = -2.0;  // wheels of 0.1 and 0.2 m
+  mesh.teeth.emplace().pressure_angle = 0.35;
+  definition.drives = {{.joint = 0}, {.joint = 1}};
+  const Vector3d on_first(-kForce * std::tan(0.35), kForce, 0.0);
+  Instant instant;
+  instant.bodies.resize(3);
+  instant.joints.resize(2);
+  instant.drives.resize(2);
+  CouplingState& state = instant.couplings.emplace_back();
+  state.effort = 0.1 * kForce;
+  state.teeth = ToothForce{.f_W = on_first, .p_W = Vector3d(0.2, 0.0, 0.0)};
+  instant.joints[0].f_W = -on_first;
+  instant.joints[1].f_W = on_first;
+  instant.drives[0].effort = -0.1 * kForce;
+  instant.drives[1].effort = -0.2 * kForce;
+  const std::vector<LoadPlace> places{
+      {LoadPlace::Kind::kJoint, 0, Vector3d(0.1, 0.0, 0.0)},
+      {LoadPlace::Kind::kJoint, 1, Vector3d(0.4, 0.0, 0.0)}};
+  const MatrixXd gains = load_gains(Neighbours(definition, 0), instant, places);
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(12);
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    turned[6 * k + 1] = places[static_cast<std::size_t>(k)].p_LS.x();
+    turned[6 * k + 5] = 1.0;
+  }
+  EXPECT_NEAR(turned.dot(gains * turned), 0.0, kRoundOff * kForce);
+  EXPECT_GT(gains.norm(), 1e-3 * kForce);
 }
 
 // A bushing's force keeps its direction in body a, where it acts at b's point.

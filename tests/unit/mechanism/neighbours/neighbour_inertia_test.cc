@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
@@ -393,6 +394,39 @@ TEST(NeighbourInertia, ContactsStopsAndGasHoldByTheirStates) {
   const double stiff =
       2.0 * cylinder.gas.isentropic_exponent() * 5e5 * 1e-6 / 1e-4;
   EXPECT_NEAR(cost(gas, filled, 1), stiff, 1e-9 * stiff);
+}
+
+// A block along a rack that a drive holds: its pinion rolls, and so weighs
+// m + I/r² along it. By angles against the block it would slide.
+TEST(NeighbourInertia, PinionRollsOnItsRack) {
+  constexpr double kRadius = 0.05;
+  MechanismDefinition m;
+  m.bodies = {uniform_bar("block", Vector3d::Zero(), 0.0, 1.0),
+              uniform_bar("pinion", Vector3d::Zero(), 0.0, 1.0),
+              uniform_bar("rack", Vector3d::Zero(), 0.0, 1.0)};
+  m.bodies[1].mass_properties.p_LCm.setZero();
+  m.joints = {pin("bearing", 0, 1, 0.0, 0.0), pin("rail", kGround, 2, 0.0, 0.0),
+              pin("foot", kGround, 0, 0.0, 0.0)};
+  m.joints[1].type = JointType::kPrismatic;
+  const Eigen::Matrix3d along(
+      Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitY()));
+  m.joints[1].frame_a.R_LJ = m.joints[1].frame_b.R_LJ = along;
+  m.joints[2].type = JointType::kWeld;
+  CouplingDefinition& mesh = m.couplings.emplace_back();
+  mesh.joint_1 = 1;
+  mesh.joint_2 = 0;
+  mesh.ratio = kRadius;
+  mesh.teeth.emplace();
+  m.drives.resize(1);
+  m.drives[0].joint = 1;
+  Instant instant = placed(m);
+  instant.couplings.resize(1);
+  const NeighbourInertia found = neighbour_inertia(Neighbours(m, 0), instant);
+  const int bearing = found.places[0].joint == 0 ? 0 : 1;
+  const auto& pinion = m.bodies[1].mass_properties;
+  EXPECT_NEAR(mass_of(found.weighed, motion(found, bearing, {1.0, 0.0, 0.0})),
+              pinion.mass + pinion.inertia_LCm(2, 2) / (kRadius * kRadius),
+              1e-6);
 }
 
 }  // namespace

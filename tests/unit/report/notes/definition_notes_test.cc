@@ -122,6 +122,25 @@ TEST(DefinitionNotes, CentreOfMassFarFromItsJointsIsAskedAbout) {
       << only_note(definition);
 }
 
+// 80 mm between the axes, and "12 m" for 12 mm.
+TEST(DefinitionNotes, TeethFarBesideTheirWheelAreAskedAbout) {
+  MechanismDefinition definition;
+  definition.joints.resize(2);
+  definition.joints[0].body_b = 0;
+  definition.joints[1].body_b = 1;
+  definition.joints[1].frame_a.p_LJ = {0.08, 0.0, 0.0};
+  CouplingDefinition& mesh = definition.couplings.emplace_back();
+  mesh.name = "mesh";
+  mesh.joint_2 = 1;
+  mesh.ratio = -3.0;
+  mesh.teeth.emplace().mid_face = 0.012;
+  EXPECT_TRUE(notes_on(definition).empty());
+  mesh.teeth->mid_face = 12.0;
+  EXPECT_TRUE(tells(only_note(definition),
+                    "mesh: its teeth stand 1.2e+04 mm beside its joint, 200 "
+                    "times their pitch radius"));
+}
+
 // By joints from the body's origin, or by twice the radius of gyration.
 TEST(DefinitionNotes, SizeOfAMechanismIsThatOfItsLargestBody) {
   MechanismDefinition definition;
