@@ -60,7 +60,7 @@ class Environment(unittest.TestCase):
         """From too little for the libraries to enough."""
         self.refused_until_enough(
             ("check", self.link, "--out", self.folder),
-            (60, 100, 150, 200, 220, 240, 260, 280, 300, 330, 400, 600, 2000))
+            (60, 100, 150, 200, 220, 240, 260, 280, 300, 330, 350, 370, 390, 400, 600, 2000))
 
     def test_little_memory_for_a_motion(self):
         self.refused_until_enough(

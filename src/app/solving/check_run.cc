@@ -37,6 +37,7 @@
 #include "base/system/processor_share.h"
 #include "base/system/system_failure.h"
 #include "base/values/stopwatch.h"
+#include "elasticity/algebra/blas_space.h"
 #include "loads/parts/part_loads.h"
 #include "machine/bearings/bearing_life.h"
 #include "mechanism/structure/structure.h"
@@ -70,8 +71,10 @@ std::string check_one(const PartJob& job,
   try {
     auto [last_job, assessment] = checked_part();
     Stopwatch watch;
-    // Its fields pack while the picture is drawn.
-    auto fields = std::async([&] {
+    // Its fields pack while the picture is drawn, where memory suffices.
+    const auto when = elasticity::take_blas_space(2) ? std::launch::async
+                                                     : std::launch::deferred;
+    auto fields = std::async(when, [&] {
       write_part_files(assessment, files, job.part.material.yield_strength,
                        folder);
     });

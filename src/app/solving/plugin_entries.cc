@@ -1,10 +1,6 @@
 #include "app/solving/plugin_entries.h"
 
-#include <cstddef>
 #include <utility>
-
-#include <Eigen/Core>
-#include <sys/mman.h>
 
 #include "app/parts/link_compliance.h"
 #include "app/solving/check_run.h"
@@ -13,26 +9,16 @@
 #include "app/solving/study_run.h"
 #include "base/system/interrupts.h"
 #include "base/system/system_failure.h"
-#include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/blas_space.h"
 
 namespace {
 
 using clevis::app::Options;
 
-/// OpenBLAS tries for ever where it gets no memory for its working space: tries
-/// first whether there is some, then lets it take that. Worker processes share
-/// it.
 void take_blas_memory() {
-  constexpr std::size_t kWanted = std::size_t{192} << 20;  // [byte]
-  void* space = mmap(nullptr, kWanted, PROT_READ | PROT_WRITE,
-                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (space == MAP_FAILED) {
+  if (!clevis::elasticity::take_blas_space(1)) {
     throw clevis::out_of_resources("clevis", "no memory for linear algebra");
   }
-  munmap(space, kWanted);
-  constexpr int kSize = 128;
-  const Eigen::MatrixXd a = Eigen::MatrixXd::Identity(kSize, kSize);
-  clevis::elasticity::transposed_product(a, a);
 }
 
 clevis::ExitCode run(clevis::ExitCode (*command)(const Options&,

@@ -53,13 +53,16 @@ class Worst {
     return worst;
   }
 
+  /// @return whether it is the largest up to now.
   template <typename Where>
-  void offer(double stress, double instant, const Where& where) {
-    if (stress <= worst_.stress) return;
+  bool offer(double stress, double instant, const Where& where) {
+    if (stress <= worst_.stress) return false;
     worst_.stress = stress;
     worst_.instant = instant;
     worst_.where = where();
+    return true;
   }
+  void name(std::string formula) { worst_.formula = std::move(formula); }
   void add_to(std::vector<BeamStress>& stresses) const {
     if (worst_.stress > 0.0) stresses.push_back(worst_);
   }
@@ -85,7 +88,10 @@ void add_span_stresses(const Span& span, const loads::LoadHistory& history,
         loads::Wrench w =
             section_force(history, instant, span.beyond[k], station);
         w.moment -= shift.cross(w.force);
-        fibre.offer(station.fibre_stress(w), instant.time, where);
+        if (fibre.offer(station.fibre_stress(w), instant.time, where)) {
+          fibre.name(station.is_twisted(w) ? "axial + bending + torsion"
+                                           : "axial + bending");
+        }
         neutral.offer(station.neutral_axis_stress(w), instant.time, where);
       }
     };

@@ -35,11 +35,15 @@ class Station {
   /// and torsion.
   double fibre_stress(const loads::Wrench& section_force) const;
 
+  /// Whether torsion raises that stress by more than 1 %.
+  bool is_twisted(const loads::Wrench& section_force) const;
+
   /// Equivalent stress at the neutral axis [Pa]: axial force, the parabolic
   /// shear 3/2 V/A of a rectangle, torsion.
   double neutral_axis_stress(const loads::Wrench& section_force) const;
 
  private:
+  double normal_stress(const loads::Wrench& section_force) const;
   double torsion_stress(const Eigen::Vector3d& moment) const;
 
   double area_{}, smallest_second_moment_{}, torsion_modulus_{};

@@ -6,26 +6,13 @@
 #include <span>
 #include <utility>
 
-#include <sys/mman.h>
-
+#include "elasticity/algebra/blas_space.h"
 #include "elasticity/algebra/dense_blocks.h"
 #include "elasticity/algebra/large_buffer.h"
 #include "elasticity/lanes/thread_team.h"
 
 namespace clevis::elasticity {
 namespace {
-
-/// Whether OpenBLAS would get working space for more threads: it tries for ever
-/// where it gets none.
-bool has_room_for(int more) {
-  const std::size_t wanted =
-      (std::size_t{384} << 20) * static_cast<std::size_t>(more);  // [byte]
-  void* space = mmap(nullptr, wanted, PROT_READ | PROT_WRITE,
-                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (space == MAP_FAILED) return false;
-  munmap(space, wanted);
-  return true;
-}
 
 /// The matrix of a front's border, later × later, by columns: it waits for the
 /// front above.
@@ -71,7 +58,7 @@ class Elimination {
       : ordered_(ordered), tree_(tree), start_(start), factor_(factor) {}
 
   bool run(int threads) {
-    if (threads > 1 && is_large() && has_room_for(threads - 1)) {
+    if (threads > 1 && is_large() && take_blas_space(threads)) {
       return eliminate_by_threads(threads);
     }
     return eliminate_subtree(0, tree_.fronts.size(), nullptr);

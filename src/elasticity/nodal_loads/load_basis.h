@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "elasticity/algebra/split_columns.h"
+#include "elasticity/nodal_loads/split_columns.h"
 
 namespace clevis::elasticity {
 

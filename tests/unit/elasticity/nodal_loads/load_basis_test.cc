@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "elasticity/algebra/split_columns.h"
+#include "elasticity/nodal_loads/split_columns.h"
 #include "elasticity/solid/plane_loads.h"
 
 namespace clevis::elasticity {

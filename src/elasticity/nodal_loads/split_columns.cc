@@ -1,4 +1,4 @@
-#include "elasticity/algebra/split_columns.h"
+#include "elasticity/nodal_loads/split_columns.h"
 
 #include <algorithm>
 #include <utility>
