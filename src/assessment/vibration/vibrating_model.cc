@@ -176,7 +176,8 @@ VibratingModel<dim>::VibratingModel(const RestingModel<dim>& rest,
       times_(times),
       part_(rest.part(), held_at(hold_time, rest.loads().history),
             rest.job().part.name,
-            instants_within(times.driven, rest.loads().history.instants)) {}
+            instants_within(times.driven, rest.loads().history.instants),
+            instants_within(times.swing, rest.loads().history.instants)) {}
 
 template <int dim>
 VectorXd VibratingModel<dim>::even_times(double lowest) const {

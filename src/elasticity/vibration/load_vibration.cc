@@ -49,13 +49,7 @@ PartAtRest<dim> part_at_rest(const ElasticProblem<dim>& problem, int degree) {
 }
 
 template <int dim>
-LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
-                                  const loads::LoadHistory& history,
-                                  const std::string& name,
-                                  const std::vector<Index>& driving)
-    : part_(held_by_mechanism(rest.part, history, name)) {
-  const auto& system = part_.system;
-  MatrixXd answers = restrict_rows(rest.statics.columns, part_.numbers);
+MatrixXd LoadVibration<dim>::settled(MatrixXd answers) const {
   const Index own = answers.rows();
   answers.conservativeResize(own + part_.bodies, Eigen::NoChange);
   answers.bottomRows(part_.bodies).setZero();
@@ -72,6 +66,22 @@ LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
       answers = dynamics::moved_to_constraints(loose, part_.sprung, answers);
     }
   }
+  return answers;
+}
+
+template <int dim>
+LoadVibration<dim>::LoadVibration(const PartAtRest<dim>& rest,
+                                  const loads::LoadHistory& history,
+                                  const std::string& name,
+                                  const std::vector<Index>& driving,
+                                  const std::vector<Index>& borne)
+    : part_(held_by_mechanism(rest.part, history, name)),
+      pins_(rest.part, history, borne, name) {
+  const auto& system = part_.system;
+  MatrixXd answers = settled(
+      pins_.spread_evenly(restrict_rows(rest.statics.columns, part_.numbers),
+                          rest.statics.coefficients));
+  pressed_ = settled(pins_.differences());
   weighted_ = system.mass(answers);
   if (system.rigid.cols() > 0) {
     const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);
@@ -103,8 +113,12 @@ typename LoadVibration<dim>::Shapes LoadVibration<dim>::shapes(int count) {
   const MatrixXd sprung = along(part_.sprung), damped = along(part_.damped);
   const Eigen::VectorXd of_springs =
       sprung.colwise().squaredNorm().transpose().cwiseQuotient(found.squares);
-  const MatrixXd of_part =
-      found.columns.topRows(found.columns.rows() - part_.bodies);
+  const Index own = found.columns.rows() - part_.bodies;
+  MatrixXd of_part = found.columns.topRows(own);
+  if (pressed_.cols() > 0) {
+    of_part += product(MatrixXd(pressed_.topRows(own)),
+                       pins_.reactions(of_part, found.squares));
+  }
   return {
       extend_rows(of_part, part_.numbers), found.squares,
       transposed_product(found.columns, weighted_),

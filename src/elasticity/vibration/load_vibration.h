@@ -9,6 +9,7 @@
 #include "dynamics/load_vibration/load_shapes.h"
 #include "elasticity/problem/displacement_basis.h"
 #include "elasticity/problem/elastic_problem.h"
+#include "elasticity/vibration/pin_reactions.h"
 #include "elasticity/vibration/vibrating_part.h"
 
 namespace clevis::elasticity {
@@ -37,10 +38,12 @@ class LoadVibration {
   /// @param history  that of `rest`, its hold_time when the mechanism holds it.
   /// @param name     of the part.
   /// @param driving  instants whose loads the vibration comes from.
+  /// @param borne    those among which each pin bears most as it swings.
   /// @throws Error F008, and as held_by_mechanism().
   LoadVibration(const PartAtRest<dim>& rest, const loads::LoadHistory& history,
                 const std::string& name,
-                const std::vector<Eigen::Index>& driving);
+                const std::vector<Eigen::Index>& driving,
+                const std::vector<Eigen::Index>& borne);
   LoadVibration(const LoadVibration&) = delete;  // space_ looks at part_
   LoadVibration& operator=(const LoadVibration&) = delete;
 
@@ -48,7 +51,9 @@ class LoadVibration {
   Eigen::Index driving_loads() const { return driving_loads_; }
 
   struct Shapes {
-    Eigen::MatrixXd columns;        ///< dofs × shapes [1/√kg]
+    /// With what pins press beside what the hold spreads evenly, dofs × shapes
+    /// [1/√kg].
+    Eigen::MatrixXd columns;
     Eigen::VectorXd squares;        ///< ω² [1/s²], rising
     Eigen::MatrixXd participation;  ///< shapesᵀ M U, U of the statics
     /// Of each shape's strain energy what the part has, not springs that hold
@@ -60,7 +65,13 @@ class LoadVibration {
   Shapes shapes(int count);
 
  private:
+  /// Answers of the part alone as its mechanism holds it, no longer than the
+  /// equations: moved, without strain, to where holds and springs rest.
+  Eigen::MatrixXd settled(Eigen::MatrixXd answers) const;
+
   VibratingPart<dim> part_;
+  PinReactions<dim> pins_;
+  Eigen::MatrixXd pressed_;   ///< settled differences of pins_
   Eigen::MatrixXd weighted_;  ///< M U
   Eigen::Index driving_loads_{};
   std::unique_ptr<dynamics::LoadShapes> space_;
