@@ -24,6 +24,7 @@
 #include "assessment/notes/part_notes.h"
 #include "assessment/notes/round_doubt.h"
 #include "assessment/notes/shear_doubt.h"
+#include "assessment/notes/zone_doubt.h"
 #include "assessment/second_order/second_order_check.h"
 #include "assessment/sharing/sharing_check.h"
 #include "assessment/verdict/governing_peak.h"
@@ -230,7 +231,8 @@ PartAssessment check_part(const PartJob& given) {
                        blows.at_rest.end());
   add_facet_doubt(job, assessment.fields, assessment.result);
   add_round_doubt(job, assessment.result);
-  if (given.may_be_meshed_finer &&
+  add_zone_doubt(job, assessment.result);
+  if (!given.judges_open_peak &&
       judged_peak(assessment.result).verdict == PeakVerdict::kNotConverged) {
     assessment.result.seconds.total = watch.lap();
     return assessment;

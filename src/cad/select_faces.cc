@@ -141,25 +141,35 @@ std::vector<int> FacesOf::operator()(
 
 std::vector<int> FacesOf::operator()(const part::PlaneSelector& wanted) const {
   const double size = (solid.high - solid.low).norm();
+  // A selector is typed to a few digits, planes of one solid are not.
+  constexpr double kOnePlane = 1e-5;  // of the size, and [rad]
+  const auto from_point = [&](const Face* face) {
+    return std::abs(face->normal.dot(*wanted.through - face->centre));
+  };
   std::vector<const Face*> found;
   for (const Face& face : solid.faces) {
     if (face.kind != SurfaceKind::kPlane ||
-        face.normal.dot(wanted.normal) < 1.0 - kSameDirection) {
-      continue;
-    }
-    if (wanted.through && std::abs(face.normal.dot(
-                              *wanted.through - face.centre)) > kSame * size) {
+        face.normal.dot(wanted.normal) < 1.0 - kSameDirection ||
+        (wanted.through && from_point(&face) > kSame * size)) {
       continue;
     }
     found.push_back(&face);
   }
   if (found.empty()) refuse("no plane face of the part fits");
+  if (wanted.through) std::ranges::stable_sort(found, {}, from_point);
   std::vector<int> faces;
   for (const Face* face : found) {
-    faces.push_back(face->number);
     const double offset =
         std::abs(face->normal.dot(face->centre - found.front()->centre));
-    if (offset <= kSame * size) continue;
+    if (offset <= kOnePlane * size &&
+        face->normal.cross(found.front()->normal).norm() <= kOnePlane) {
+      faces.push_back(face->number);
+      continue;
+    }
+    if (wanted.through &&
+        from_point(face) > 2.0 * from_point(found.front()) + kOnePlane * size) {
+      continue;
+    }
     const Vector3d a = 1e3 * found.front()->centre, b = 1e3 * face->centre;
     refuse(
         fmt::format("faces {} and {} look that way from different planes, "

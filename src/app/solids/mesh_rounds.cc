@@ -96,6 +96,7 @@ CheckedPart check_in_rounds(
     const std::size_t cells = job.mesh.cells.size();
     const bool has_rounds = made < limits.rounds && cells <= kMostCells;
     job.may_be_meshed_finer = has_rounds && !takes_all_degrees;
+    job.judges_open_peak = !job.may_be_meshed_finer;
     auto assessment = check(job);
     add(before, assessment.result.seconds);
     const auto open = open_by_mesh(assessment.result, job.tolerance);
@@ -138,8 +139,10 @@ CheckedPart check_in_rounds(
       before.total += meshing;
       continue;
     }
-    if (!is_late && is_open(assessment.result) && job.may_be_meshed_finer) {
-      job.may_be_meshed_finer = false;  // another mesh would not close it
+    if (is_open(assessment.result) && !job.judges_open_peak) {
+      // No other mesh comes. Degrees that are wanted but late are left out.
+      job.may_be_meshed_finer = is_late;
+      job.judges_open_peak = true;
       before = assessment.result.seconds;
       assessment = check(job);
       add(before, assessment.result.seconds);

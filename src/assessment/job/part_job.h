@@ -86,6 +86,9 @@ struct PartJob {
   /// Its mesh can be made finer where its peak stays open: that comes before
   /// degree 4 of tetrahedra, and before what is not about the peak.
   bool may_be_meshed_finer = false;
+  /// Else the check ends at an open peak, and nothing is judged: a finer mesh
+  /// comes.
+  bool judges_open_peak = true;
   std::vector<std::string> notes;  ///< of the mesh, for the result
   /// Of meshes finer than the first, 1, 2, …
   int mesh_round = 0;

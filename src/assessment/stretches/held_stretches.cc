@@ -87,8 +87,9 @@ struct Resonance {
 };
 
 /// Whether springs of the mechanism move the part's first frequencies, or these
-/// those of rigid bodies on the springs: else both vibrate by themselves. By
-/// less than a tenth of the damping ratio they do not.
+/// those of rigid bodies on the springs, or dampers damp these: else both
+/// vibrate by themselves. By less than a tenth of the damping ratio they do
+/// not.
 /// @param damping   of the part. @param duration  of the motion [s].
 bool springs_count(const elasticity::SeatShapes& shapes,
                    const loads::SeatHold& hold, double damping,
@@ -99,7 +100,8 @@ bool springs_count(const elasticity::SeatShapes& shapes,
   if (!hold.is_sprung()) return false;
   loads::SeatHold unsprung = hold;
   unsprung.leave_springs_out();
-  const Eigen::VectorXd sprung = shapes.held_by(hold).squares;
+  const auto held = shapes.held_by(hold);
+  const Eigen::VectorXd& sprung = held.squares;
   const Eigen::VectorXd alone = shapes.held_by(unsprung).squares;
   const auto rigid = shapes.rigid_swings(hold);
   std::vector<Resonance> apart;
@@ -120,7 +122,10 @@ bool springs_count(const elasticity::SeatShapes& shapes,
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [square, width] = apart[k];
     const double moved = std::abs(sprung[static_cast<Index>(k)] - square);
-    if (moved > (2.0 * kOfWidth * width + kRoundOff) * square) return true;
+    if (moved > (2.0 * kOfWidth * width + kRoundOff) * square ||
+        held.damping[static_cast<Index>(k)] > kOfWidth * width + kRoundOff) {
+      return true;
+    }
   }
   return false;
 }

@@ -31,6 +31,13 @@ MatrixXd orthonormal_in(const MatrixXd& columns, const MatrixXd& weighted) {
                               transposed_product(columns, weighted), kLeast));
 }
 
+/// Of dampers D Dᵀ in vibrations of mass one [1]. @param dampers  Dᵀ.
+VectorXd ratios_of(const MatrixXd& dampers, const MatrixXd& shapes,
+                   const VectorXd& squares) {
+  const VectorXd lost = (dampers * shapes).colwise().squaredNorm();
+  return 0.5 * lost.cwiseQuotient(squares.cwiseSqrt());
+}
+
 }  // namespace
 
 SeatShapes::SeatShapes(const VibratingPart<3>& part, MatrixXd seats,
@@ -130,9 +137,12 @@ SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(all.stiffness,
                                                                  all.mass);
   const Index count = all.left.cols() - all.free;
-  return {modes.eigenvalues().tail(count),
-          motions_ * all.left.topRows(motions_.cols()) *
-              modes.eigenvectors().rightCols(count)};
+  const VectorXd squares = modes.eigenvalues().tail(count);
+  return {
+      squares,
+      ratios_of(all.dampers, modes.eigenvectors().rightCols(count), squares),
+      motions_ * all.left.topRows(motions_.cols()) *
+          modes.eigenvectors().rightCols(count)};
 }
 
 SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
@@ -142,11 +152,8 @@ SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(
       rigid.stiffness, rigid.mass);
   const VectorXd squares = modes.eigenvalues().tail(count);
-  const VectorXd dampers =
-      (rigid.dampers * modes.eigenvectors().rightCols(count))
-          .colwise()
-          .squaredNorm();
-  return {squares, 0.5 * dampers.cwiseQuotient(squares.cwiseSqrt())};
+  return {squares, ratios_of(rigid.dampers,
+                             modes.eigenvectors().rightCols(count), squares)};
 }
 
 double SeatShapes::first_period(const loads::SeatHold& hold) const {
@@ -185,10 +192,11 @@ MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
   MatrixXd all(holds.front().held.rows(), 0);
   for (const loads::SeatHold& hold : holds) {
     std::vector<const MatrixXd*> some = {&hold.held, &hold.weighed,
-                                         &hold.sprung};
+                                         &hold.sprung, &hold.damped};
     if (hold.swinging) {
       some.push_back(&hold.swinging->held);
       some.push_back(&hold.swinging->sprung);
+      some.push_back(&hold.swinging->damped);
     }
     for (const MatrixXd* wrenches : some) {
       const MatrixXd more = unit_columns(*wrenches);

@@ -26,6 +26,7 @@ class SeatShapes {
   /// mechanism.
   struct Vibrations {
     Eigen::VectorXd squares;  ///< ω² [1/s²]
+    Eigen::VectorXd damping;  ///< ζ by dampers [1]
     /// Motions of the seats in them, along `seats`, columns × shapes [1/√kg].
     Eigen::MatrixXd motions;
   };

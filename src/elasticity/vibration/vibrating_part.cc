@@ -65,6 +65,15 @@ double low_square(const part::Material& material, double size) {
   return per_second * per_second;
 }
 
+/// Springs beside dampers, too soft to count at any frequency of a link: bodies
+/// that only dampers drag along have shapes of vibration so.
+MatrixXd with_slow_springs(const MatrixXd& sprung, const MatrixXd& damped) {
+  constexpr double kSlow = 0.1;  // stiffness over damping [1/s]
+  MatrixXd all(damped.rows(), sprung.cols() + damped.cols());
+  all << sprung, std::sqrt(kSlow) * damped;
+  return all;
+}
+
 template <int dim>
 void require_memory_for(const Discretization<dim>& discretization,
                         const Dissection& dissection,
@@ -146,8 +155,8 @@ VibratingPart<dim> held_by_mechanism(VibratingPart<dim> part,
   if (part.free.rigid.cols() == 0) return part;
   NeighbourHold hold = neighbour_hold(part.discretization, history, part_name);
   part.held = std::move(hold.held);
-  part.sprung = std::move(hold.sprung);
   part.damped = std::move(hold.damped);
+  part.sprung = with_slow_springs(hold.sprung, part.damped);
   part.bodies = hold.bodies;
   if (part.bodies > 0) {
     part.free = dynamics::attached_system(part.free, part.bodies);

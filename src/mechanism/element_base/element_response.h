@@ -49,6 +49,8 @@ struct ElementResponse {
 struct LineTangent {
   double stiffness{};  ///< [N/m] or [N m/rad]
   double damping{};    ///< [N s/m] or [N m s/rad]
+  /// Both one behind the other: what yields slowly meets no effort.
+  bool relaxes = false;
 
   bool is_zero() const { return stiffness == 0.0 && damping == 0.0; }
 };
@@ -61,6 +63,7 @@ struct ElementSpring {
   std::vector<PlacedJoint::Levers> directions;
   Eigen::MatrixXd stiffness;  ///< K, symmetric [N/m], [N], [N m]
   Eigen::MatrixXd damping;    ///< C, the same times [s]
+  bool relaxes = false;       ///< of LineTangent; of one direction
 };
 
 }  // namespace clevis::mechanism

@@ -65,7 +65,8 @@ ElementSpring LineForce::spring(const Configuration& x,
   }
   return {.directions = {placed.levers(row)},
           .stiffness = Eigen::MatrixXd::Constant(1, 1, along.stiffness),
-          .damping = Eigen::MatrixXd::Constant(1, 1, along.damping)};
+          .damping = Eigen::MatrixXd::Constant(1, 1, along.damping),
+          .relaxes = along.relaxes};
 }
 
 void LineForce::act(const ActingState& state, const Twist& a, const Twist& b,

@@ -8,9 +8,14 @@
 
 namespace clevis::mechanism {
 
+namespace {
+
+constexpr double kPhases = 1.5;  // power of three phases by peak values
+
+}  // namespace
+
 double motor_effort(const MotorLaw& law, double t, double rate,
                     const double* internal, double* rates, MotorState& state) {
-  constexpr double kPhases = 1.5;  // power of three phases by peak values
   const double i_d = internal[0], i_q = internal[1];
   const double L = law.inductance;
   state.speed = law.ratio * rate;
@@ -38,6 +43,18 @@ double motor_effort(const MotorLaw& law, double t, double rate,
   return law.ratio * state.torque;
 }
 
+LineTangent motor_tangent(const MotorLaw& law) {
+  constexpr double kShort = 1e-4;  // [s]: links do not vibrate so fast
+  const double volts = law.ratio * law.pole_pairs * law.flux;  // per rate
+  const double square = kPhases * volts * volts;
+  if (square == 0.0) return {};
+  const double stiffness = square / law.inductance;
+  if (law.resistance == 0.0) return {.stiffness = stiffness};
+  const double damping = square / law.resistance;
+  if (damping < kShort * stiffness) return {.damping = damping};
+  return {.stiffness = stiffness, .damping = damping, .relaxes = true};
+}
+
 void motor_scales(const MotorLaw& law, const double* internal, double* scales) {
   // the current whose own field is that of the magnets, and its energy
   const double current = law.flux / law.inductance;
@@ -62,6 +79,9 @@ class Motor final : public LineForce {
   double inertia() const override { return law_.inertia_at_joint(); }
 
  protected:
+  LineTangent tangent(const ElementState& /*state*/) const override {
+    return motor_tangent(law_);
+  }
   double law_effort(const ActingState& state,
                     ElementResponse& now) const override {
     return motor_effort(law_, state.t, now.rate, state.internal + internal,

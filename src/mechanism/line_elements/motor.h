@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mechanism/element_base/element_properties.h"
+#include "mechanism/element_base/element_response.h"
 #include "mechanism/element_base/element_state.h"
 #include "mechanism/element_base/force_line.h"
 
@@ -47,6 +48,11 @@ struct MotorLaw {
 /// @param rate  of the joint [rad/s]. @param internal  its states.
 double motor_effort(const MotorLaw& law, double t, double rate,
                     const double* internal, double* rates, MotorState& state);
+
+/// What small, fast turns of the rotor meet: current that they induce, which
+/// builds up against the inductance and decays by the resistance. Of the flux
+/// of the magnets; what currents of the d axis do at speed is left out.
+LineTangent motor_tangent(const MotorLaw& law);
 
 /// A size that is large for each internal state.
 void motor_scales(const MotorLaw& law, const double* internal, double* scales);

@@ -372,6 +372,7 @@ ElementRows element_rows(const Neighbours& neighbours,
     if (!neighbours.elements()[e]) continue;
     const ActingElement& element = *neighbours.elements()[e];
     const ElementSpring spring = element.spring(rows.x, instant.elements[e]);
+    if (spring.relaxes) continue;
     MatrixXd along = MatrixXd::Zero(motions, std::ssize(spring.directions));
     const auto add = [&](int slot, const SpatialForce& force, Index column) {
       if (slot != neighbours.slot()) {

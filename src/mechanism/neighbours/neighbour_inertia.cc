@@ -163,32 +163,123 @@ void append(const MatrixXd& more, MatrixXd& columns) {
   columns.rightCols(more.cols()) = more;
 }
 
-/// @param wrenches  of the body's rows, by place.
-SwingingNeighbours swinging_neighbours(
-    const Neighbours& neighbours, const NeighbourRows& rows,
-    const std::vector<YieldingElement>& yielding,
-    const std::vector<Directions>& directions, const MatrixXd& wrenches) {
-  constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
-  MatrixXd mass = rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
-  const double heaviest = mass.diagonal().maxCoeff();
-  mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
-  const Eigen::LLT<MatrixXd> root(mass);
-  const MatrixXd motions =
-      root.matrixL().solve(rows.free.transpose()).transpose();
-  SwingingNeighbours found{.held = wrenches,
-                           .followed = (rows.there * motions).transpose()};
-  for (std::size_t k = 0; k < yielding.size(); ++k) {
-    const Directions& along = directions[k];
-    const MatrixXd there = motions.transpose() * along.neighbours;
-    const MatrixXd stiffness = root_of(yielding[k].spring.stiffness);
-    const MatrixXd damping = root_of(yielding[k].spring.damping);
-    append(along.body * stiffness, found.sprung);
-    append(there * stiffness, found.sprung_there);
-    append(along.body * damping, found.damped);
-    append(there * damping, found.damped_there);
+/// Inertia of rotors on the body as its places feel it: neighbours give way in
+/// motions that the places do not see.
+/// @param turned  directions of the rotors. @param following  of the
+///   neighbours' speeds to wrenches. @param unseen  those motions.
+MatrixXd weighed_by_rotors(const Neighbours& neighbours, const Configuration& x,
+                           const std::vector<Rotor>& rotors,
+                           const std::vector<Directions>& turned,
+                           const MatrixXd& following, const MatrixXd& unseen) {
+  const Index count = std::ssize(rotors);
+  MatrixXd felt(following.cols(), count), given(count, unseen.cols());
+  for (Index k = 0; k < count; ++k) {
+    const Directions& along = turned[index(k)];
+    const double root = std::sqrt(rotors[index(k)].element->inertia());
+    felt.col(k) =
+        root * (along.body + following.transpose() * along.neighbours);
+    given.row(k) = root * along.neighbours.transpose() * unseen;
   }
-  return found;
+  if (count == 0 || unseen.cols() == 0) return felt;
+  MatrixXd mass = unseen.transpose() * neighbours.masses(x) * unseen;
+  mass.diagonal().array() += kRoundOff * kRoundOff * mass.diagonal().maxCoeff();
+  const MatrixXd series = MatrixXd::Identity(count, count) +
+                          given * mass.llt().solve(given.transpose());
+  return series.llt().matrixL().solve(felt.transpose()).transpose();
 }
+
+/// A light body between a spring and the damper behind it. So light that it is
+/// overdamped at any frequency: at its own by 30 [kg].
+double mass_between(const ElementSpring& spring) {
+  constexpr double kOverdamped = 30.0;
+  const double stiffness = spring.stiffness(0, 0);
+  const double decay = spring.damping(0, 0) / stiffness;  // [s]
+  return stiffness * decay * decay / (kOverdamped * kOverdamped);
+}
+
+/// Neighbours with what springs swing, in motions of mass one.
+class SwingingForm {
+ public:
+  /// @param wrenches  of the body's rows, by place.
+  SwingingForm(const Neighbours& neighbours, const NeighbourRows& rows,
+               const MatrixXd& wrenches)
+      : wrenches_(wrenches.rows()) {
+    constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
+    MatrixXd mass =
+        rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
+    const double heaviest = mass.size() > 0 ? mass.diagonal().maxCoeff() : 0.0;
+    mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
+    const Eigen::LLT<MatrixXd> root(mass);
+    motions_ = root.matrixL().solve(rows.free.transpose()).transpose();
+    found_ = {.held = wrenches,
+              .followed = (rows.there * motions_).transpose(),
+              .sprung = none(wrenches_),
+              .damped = none(wrenches_),
+              .sprung_there = none(motions_.cols()),
+              .damped_there = none(motions_.cols())};
+  }
+
+  /// A rotor that turns as its line does.
+  void add(double inertia, const Directions& along) {
+    const Eigen::Index own = add_motion();
+    append(along.body, found_.held);
+    append(there(along.neighbours), found_.followed);
+    found_.followed(own, found_.followed.cols() - 1) -=
+        1.0 / std::sqrt(inertia);
+  }
+  void add(const ElementSpring& spring, const Directions& along) {
+    if (spring.relaxes) {
+      add_relaxing(spring, along);
+      return;
+    }
+    const MatrixXd stiffness = root_of(spring.stiffness);
+    const MatrixXd damping = root_of(spring.damping);
+    const MatrixXd beyond = there(along.neighbours);
+    append(along.body * stiffness, found_.sprung);
+    append(beyond * stiffness, found_.sprung_there);
+    append(along.body * damping, found_.damped);
+    append(beyond * damping, found_.damped_there);
+  }
+  SwingingNeighbours take() { return std::move(found_); }
+
+ private:
+  static MatrixXd none(Index rows) { return MatrixXd(rows, 0); }
+
+  /// @return its row.
+  Index add_motion() {
+    const Index own = found_.followed.rows();
+    for (MatrixXd* rows :
+         {&found_.followed, &found_.sprung_there, &found_.damped_there}) {
+      rows->conservativeResize(own + 1, Eigen::NoChange);
+      rows->bottomRows(1).setZero();
+    }
+    return own;
+  }
+  MatrixXd there(const MatrixXd& of_neighbours) const {
+    MatrixXd found =
+        MatrixXd::Zero(found_.followed.rows(), of_neighbours.cols());
+    found.topRows(motions_.cols()) = motions_.transpose() * of_neighbours;
+    return found;
+  }
+  void add_relaxing(const ElementSpring& spring, const Directions& along) {
+    const Index own = add_motion();
+    const double unit = 1.0 / std::sqrt(mass_between(spring));
+    const double stiffness = std::sqrt(spring.stiffness(0, 0));
+    const double damping = std::sqrt(spring.damping(0, 0));
+    MatrixXd stretched = there(along.neighbours);
+    stretched(own, 0) -= unit;
+    MatrixXd moved = MatrixXd::Zero(stretched.rows(), 1);
+    moved(own, 0) = unit;
+    append(stiffness * along.body, found_.sprung);
+    append(stiffness * stretched, found_.sprung_there);
+    append(MatrixXd::Zero(wrenches_, 1), found_.damped);
+    append(damping * moved, found_.damped_there);
+  }
+
+  Index wrenches_;
+  MatrixXd motions_;  ///< of the neighbours' unknowns
+  SwingingNeighbours found_;
+};
 
 }  // namespace
 
@@ -234,21 +325,23 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
       found.spin = following.transpose() * spins * following;
     }
   }
+  std::vector<Directions> turned;
   for (const auto& [element, place] : rotors) {
-    const Directions along =
-        directions_of(neighbours, rows.x, *element,
-                      {levers_of(*element, rows.x)}, place, wrenches.rows());
-    append(std::sqrt(element->inertia()) *
-               (along.body + following.transpose() * along.neighbours),
-           found.weighed);
+    turned.push_back(directions_of(neighbours, rows.x, *element,
+                                   {levers_of(*element, rows.x)}, place,
+                                   wrenches.rows()));
   }
+  append(
+      weighed_by_rotors(neighbours, rows.x, rotors, turned, following, unseen),
+      found.weighed);
   std::vector<Directions> directions;
   for (const YieldingElement& element : yielding) {
     const Directions& along = directions.emplace_back(directions_of(
         neighbours, rows.x, *element.element, element.spring.directions,
         element.place, wrenches.rows()));
-    if ((along.neighbours.transpose() * unseen).norm() >
-        kFelt * along.neighbours.norm()) {
+    if (element.spring.relaxes ||
+        (along.neighbours.transpose() * unseen).norm() >
+            kFelt * along.neighbours.norm()) {
       found.left_out.push_back(element.number);
       continue;
     }
@@ -257,8 +350,14 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
     append(felt * root_of(element.spring.damping), found.damped);
   }
   if (!found.left_out.empty()) {
-    found.swinging =
-        swinging_neighbours(neighbours, rows, yielding, directions, wrenches);
+    SwingingForm swinging(neighbours, rows, wrenches);
+    for (std::size_t k = 0; k < rotors.size(); ++k) {
+      swinging.add(rotors[k].element->inertia(), turned[k]);
+    }
+    for (std::size_t k = 0; k < yielding.size(); ++k) {
+      swinging.add(yielding[k].spring, directions[k]);
+    }
+    found.swinging = swinging.take();
   }
   return found;
 }

@@ -96,6 +96,20 @@ TEST(FaceGroups, TakeAllFacesOfOnePlane) {
   EXPECT_NE(refused({part::PlaneSelector{{1, 0, 0}, {}}, "here"}), "");
 }
 
+// Pads that stand 0.02 mm proud of their plate are no part of it.
+TEST(FaceGroups, TellPlanesApartThatAreNear) {
+  Solid padded = block();
+  padded.faces[4].centre.z() += 2e-5;
+  const auto taken = [&padded](double z) {
+    return select_faces(
+        padded, {},
+        {part::PlaneSelector{{0, 0, 1}, Eigen::Vector3d(0, 0, z)}, "here"});
+  };
+  EXPECT_EQ(taken(0.01), Numbers{4});
+  EXPECT_EQ(taken(0.01002), Numbers{5});
+  EXPECT_THROW(taken(0.01001), Error);  // which is meant?
+}
+
 TEST(FaceGroups, TakeTheNearestFaceAndAllOfSeveral) {
   const FaceSelector nearest{part::NearestSelector{{0.05, 0.0, 0.019}}, "here"};
   EXPECT_EQ(selected(nearest), Numbers{6});

@@ -2,6 +2,7 @@
 // effective masses by hand.
 #include "mechanism/neighbours/neighbour_inertia.h"
 
+#include <complex>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
@@ -187,6 +189,63 @@ TEST(NeighbourInertia, RotorsWeigh) {
   Eigen::VectorXd turn = Eigen::VectorXd::Zero(first.held.rows());
   turn[first.held.rows() - 1] = 1.0;
   EXPECT_NEAR(mass_of(first.weighed, turn), kAtJoint, 1e-9);
+}
+
+// Between the first bar and the second, which turns freely: the rotor drags it
+// along, J n² and m l²/3 one behind the other.
+TEST(NeighbourInertia, RotorsDragWhatTurnsFreely) {
+  constexpr double kAtJoint = 0.1;  // kg m²
+  MechanismDefinition m = two_bars(1.0);
+  LineElement motor;
+  motor.law = MotorLaw{.ratio = 10.0, .rotor_inertia = 1e-2 * kAtJoint};
+  motor.line = {.kind = ElementLine::Kind::kJoint, .joint = 1};
+  const NeighbourInertia found = sprung_bar(m, 0, {motor});
+  ASSERT_EQ(found.places.back().element, 0);
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(found.held.rows());
+  turn[found.held.rows() - 1] = 1.0;
+  constexpr double kBar = 1.0 / 3.0;
+  EXPECT_NEAR(mass_of(found.weighed, turn), kAtJoint * kBar / (kAtJoint + kBar),
+              1e-6);
+}
+
+// A motor's current pushes back as a spring with a damper behind it: at rest
+// nothing, when fast 3/2 (n p ψ)²/L.
+TEST(NeighbourInertia, CurrentsOfMotorsRelax) {
+  const MotorLaw law{.ratio = 20.0,
+                     .pole_pairs = 4,
+                     .resistance = 0.5,
+                     .inductance = 5e-3,
+                     .flux = 0.1};
+  MechanismDefinition m = two_bars(1.0);
+  LineElement motor;
+  motor.law = law;
+  motor.line = {.kind = ElementLine::Kind::kJoint, .joint = 0};
+  const NeighbourInertia found = sprung_bar(m, 0, {motor});
+  ASSERT_TRUE(found.swinging);
+  EXPECT_EQ(found.sprung.cols(), 0);
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(found.held.rows());
+  turn[found.held.rows() - 1] = 1.0;
+  const auto& [held, followed, sprung, damped, sprung_there, damped_there] =
+      *found.swinging;
+  const double volts = law.ratio * law.pole_pairs * law.flux;
+  const double stiffness = 1.5 * volts * volts / law.inductance;
+  const double decay = law.inductance / law.resistance;
+  const Eigen::VectorXcd pushed = sprung_there * (sprung.transpose() * turn);
+  for (const double of_decay : {0.1, 1.0, 10.0, 100.0}) {
+    const std::complex<double> w(0.0, of_decay / decay);
+    Eigen::MatrixXcd form =
+        Eigen::MatrixXcd::Identity(sprung_there.rows(), sprung_there.rows());
+    form *= w * w;
+    form += sprung_there * sprung_there.transpose() +
+            w * (damped_there * damped_there.transpose());
+    const std::complex<double> found_stiffness =
+        (sprung.transpose() * turn).squaredNorm() -
+        (pushed.transpose() * form.fullPivLu().solve(pushed))(0);
+    const std::complex<double> wanted =
+        stiffness * w * decay / (1.0 + w * decay);
+    EXPECT_LT(std::abs(found_stiffness - wanted), 0.04 * std::abs(wanted))
+        << of_decay;
+  }
 }
 
 // Of the second bar: the first turns about O against its spring as the pin
