@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 /// √3/π: von Mises that a strip under even pressure reaches inside, over the
 /// pressure, in plane strain; of shorter zones it is more.
 constexpr double kLeastOfPressure = 0.55;
-/// Of the peak for each length of the zone that the cell is longer than it,
-/// twice what it was found to miss (regression.slide_patch).
+/// Of the peak, for each length of the zone by which the cell is longer than it:
+/// an estimate, on the safe side of what finer cells were seen to change.
 constexpr double kPerLength = 0.1;
 
 /// What presses on a wall at an instant.

@@ -1,5 +1,6 @@
 #include "elasticity/vibration/pin_reactions.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -17,7 +18,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 using loads::Wrench;
 
