@@ -17,6 +17,7 @@ constexpr int kStationsPerSpan = 25;
 // span: a plane that touches a cylinder has no well-defined section.
 constexpr double kRimGap = 0.01;
 constexpr double kRowTolerance = 0.05;
+constexpr double kRoundOff = 1e-9;  // of a span between seats that abut
 
 struct Row {
   Vector3d direction;
@@ -128,7 +129,7 @@ Span build_span(const PartModel& model, const part::MassProperties& mass,
   span.length = (history.seats[to].p_LS - p_LF).dot(direction);
   const double start = reach(history, from, groups, direction);
   const double end = span.length - reach(history, to, groups, direction);
-  if (end <= start) return span;
+  if (end - start <= kRoundOff * std::abs(span.length)) return span;
   std::vector<double> wanted, planes;
   for (int k = 0; k < kStationsPerSpan; ++k) {
     const double t =

@@ -221,7 +221,7 @@ class SwingingForm {
 
   /// A rotor that turns as its line does.
   void add(double inertia, const Directions& along) {
-    const Eigen::Index own = add_motion();
+    const Index own = add_motion();
     append(along.body, found_.held);
     append(there(along.neighbours), found_.followed);
     found_.followed(own, found_.followed.cols() - 1) -=
