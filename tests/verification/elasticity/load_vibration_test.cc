@@ -133,6 +133,14 @@ TEST(LoadVibration, WaveInAFreeSolid) {
 // a linear traction of the same resultant.
 TEST(LoadVibration, APinPressesOnAsAtRest) {
   auto eye = support::eye_problem(1);
+  // Cells between rim and bore: one alone joins the inertia of both.
+  eye.mesh = support::ring_mesh<3>({.inner = 0.01,
+                                    .outer = 0.02,
+                                    .thickness = 0.008,
+                                    .radial = 4,
+                                    .angular = 8,
+                                    .axial = 1,
+                                    .degree = 2});
   eye.history.instants[0].wrenches[0].moment = {12.0, -7.0, 3.0};
   eye.history.instants[0].wrenches[1].moment = {-12.0, 7.0, -3.0};
   eye.history.hold = [](double) {
@@ -151,10 +159,23 @@ TEST(LoadVibration, APinPressesOnAsAtRest) {
   left.columns.rightCols(undone.size()) = found.columns;
   left.coefficients.resize(1 + undone.size(), 1);
   left.coefficients << VectorXd::Ones(1), -undone;
-  const auto largest = [&](const elasticity::DisplacementBasis<3>& basis) {
-    return stress::stress_history<3>(basis, eye.material, 2).worst.maxCoeff();
+  const auto largest = [&](const elasticity::DisplacementBasis<3>& basis,
+                           double radius) {
+    const auto worst = stress::stress_history<3>(basis, eye.material, 2).worst;
+    double most = 0.0;
+    for (Index c = 0; c < worst.cols(); ++c) {
+      for (Index q = 0; q < worst.rows(); ++q) {
+        const Vector3d at =
+            stress::position<3>(basis.discretization,
+                                {static_cast<int>(c), static_cast<int>(q)}, 2);
+        if (std::abs(at.head<2>().norm() - radius) < 1e-4) {
+          most = std::max(most, worst(q, c));
+        }
+      }
+    }
+    return most;
   };
-  EXPECT_LT(largest(left), 0.05 * largest(rest.statics));
+  EXPECT_LT(largest(left, 0.01), 0.005 * largest(rest.statics, 0.01));
 }
 
 }  // namespace
