@@ -19,7 +19,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-SECONDS = 10
+SECONDS = 20  # of which --max-time allows a motion 3
 DOCUMENTED = {0, 1, 2, 3, 4, 10, 11, 12, 20, 21, 22}
 NUMBERS = [b"0", b"-1", b"1e999", b"1e-300", b"nan", b"9223372036854775807",
            b"0x10", b"1_0", b"true", b'""', b"[]", b"{}"]
@@ -72,8 +72,8 @@ def run(clevis, file):
     """(exit code or None, whether it said what is wrong)."""
     try:
         done = subprocess.run(
-            [clevis, "simulate", file.name, "--out", "out"], cwd=file.parent,
-            capture_output=True, timeout=SECONDS)
+            [clevis, "simulate", file.name, "--out", "out", "--max-time", "3 s"],
+            cwd=file.parent, capture_output=True, timeout=SECONDS)
     except subprocess.TimeoutExpired:
         return None, False
     return done.returncode, b"\n  help: " in done.stderr

@@ -18,8 +18,10 @@ using Eigen::Vector3d;
 /// √3/π: von Mises that a strip under even pressure reaches inside, over the
 /// pressure, in plane strain; of shorter zones it is more.
 constexpr double kLeastOfPressure = 0.55;
-/// Of the peak, for each length of the zone by which the cell is longer than it:
-/// an estimate, on the safe side of what finer cells were seen to change.
+/// Cells up to twice as long as the zone show it. Longer ones miss so much of
+/// the peak for each length of the zone: an estimate, on the safe side of what
+/// finer cells were seen to change.
+constexpr double kResolved = 2.0;
 constexpr double kPerLength = 0.1;
 
 /// What presses on a wall at an instant.
@@ -84,7 +86,8 @@ Pressed pressed_by(const PartJob& job, const loads::LoadHistory& history,
 /// That by which the peak is off most [Pa].
 double amount_of(const Pressed& pressed, double peak) {
   const double by_cell =
-      kPerLength * std::max(0.0, pressed.cell / pressed.length - 1.0) * peak;
+      kPerLength * std::max(0.0, pressed.cell / pressed.length - kResolved) *
+      peak;
   const bool is_lost = peak < kLeastOfPressure * pressed.pressure;
   return is_lost ? std::max(by_cell, pressed.pressure - peak) : by_cell;
 }
