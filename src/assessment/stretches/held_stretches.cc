@@ -87,15 +87,17 @@ struct Resonance {
 };
 
 /// Whether springs of the mechanism move the part's first frequencies, or these
-/// those of rigid bodies on the springs, or dampers damp these: else both
-/// vibrate by themselves. By less than a tenth of the damping ratio they do
-/// not.
+/// those of rigid bodies on the springs, or dampers nearly hold it: else
+/// both vibrate by themselves. By less than a tenth of the damping ratio they
+/// do not; a damper that only takes energy is left out on the safe side.
 /// @param damping   of the part. @param duration  of the motion [s].
 bool springs_count(const elasticity::SeatShapes& shapes,
                    const loads::SeatHold& hold, double damping,
                    double duration) {
   constexpr double kOfWidth = 0.1, kShort = 0.1;  // periods of a motion
   constexpr double kMost = 0.02, kRoundOff = 1e-6;
+  constexpr double kHolding = 0.1;  // damping ratio
+  constexpr double kElastic = 0.5;  // of the first square; less: rigid bodies'
   constexpr std::size_t kFirst = 6;
   if (!hold.is_sprung()) return false;
   loads::SeatHold unsprung = hold;
@@ -123,7 +125,8 @@ bool springs_count(const elasticity::SeatShapes& shapes,
     const auto& [square, width] = apart[k];
     const double moved = std::abs(sprung[static_cast<Index>(k)] - square);
     if (moved > (2.0 * kOfWidth * width + kRoundOff) * square ||
-        held.damping[static_cast<Index>(k)] > kOfWidth * width + kRoundOff) {
+        (sprung[static_cast<Index>(k)] > kElastic * alone[0] &&
+         held.damping[static_cast<Index>(k)] > kHolding)) {
       return true;
     }
   }

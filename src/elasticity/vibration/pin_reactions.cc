@@ -21,6 +21,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using loads::Wrench;
 
+/// Components of a wrench that are forces: their reactions, as loads jump,
+/// settle with no number of shapes.
+constexpr Index kForces = 3;
+
 template <int dim>
 constexpr auto kComponents = static_cast<Index>(kActing<dim>.size());
 
@@ -149,7 +153,7 @@ PinReactions<dim>::PinReactions(const VibratingPart<dim>& part,
   for (MatrixXd* none : {&differences_, &stiffness_, &mass_}) {
     none->resize(system.size, 0);
   }
-  if (!history.hold || system.rigid.cols() == 0) return;
+  if (dim == 2 || !history.hold || system.rigid.cols() == 0) return;
   const MatrixXd means =
       seat_means(discretization, history.seats,
                  history.hold_that_counts().zones, part_name);
@@ -167,11 +171,9 @@ PinReactions<dim>::PinReactions(const VibratingPart<dim>& part,
         pressure_derivative(discretization, seat, *largest, *radius, part_name);
     if (!pressure) continue;
     const Index begin = kComponents<dim> * static_cast<Index>(s);
-    forces.conservativeResize(Eigen::NoChange,
-                              forces.cols() + kComponents<dim>);
-    forces.rightCols(kComponents<dim>) =
-        *pressure - means.middleCols(begin, kComponents<dim>);
-    for (Index k = 0; k < kComponents<dim>; ++k) {
+    for (Index k = kForces; k < kComponents<dim>; ++k) {
+      forces.conservativeResize(Eigen::NoChange, forces.cols() + 1);
+      forces.rightCols(1) = pressure->col(k) - means.col(begin + k);
       pressed.push_back(begin + k);
     }
   }

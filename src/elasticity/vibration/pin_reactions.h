@@ -14,7 +14,8 @@ namespace clevis::elasticity {
 /// that holds seats in the mean (neighbour_hold.h) reacts on them by linear
 /// tractions. Pins press as under the loads at rest: where a wrench adds to the
 /// largest that the seat bears, by that pressure's derivative. Both have the
-/// same resultant, so their difference bends the part beside the seat alone.
+/// same resultant, so their difference bends the part beside the seat alone. Of
+/// a bore's moments; in a plane there are none.
 template <int dim>
 class PinReactions {
  public:

@@ -132,9 +132,11 @@ TEST(MeshRounds, StopAt20000Cells) {
 
 // Each check takes 3 s.
 TEST(MeshRounds, StopWhereTheTimeIsOver) {
-  Rounds run{{0.05, 0.03}};
+  // It is judged once more by the degrees that it has.
+  Rounds run{{0.05, 0.03, 0.03}};
   const CheckedPart checked = run.start(1000, 5, 5.0);
-  EXPECT_EQ(run.may_be_finer, (std::vector{true, true}));
+  EXPECT_EQ(run.may_be_finer, (std::vector{true, true, true}));
+  EXPECT_TRUE(checked.job.judges_open_peak);
   EXPECT_EQ(checked.job.mesh.cells.size(), 1100U);
   ASSERT_EQ(checked.assessment.result.notes.size(), 2U);
   EXPECT_NE(checked.assessment.result.notes[1].find(
