@@ -12,20 +12,14 @@ import sys
 import tempfile
 from pathlib import Path
 
+import scene_text
 import support
 
 MESH = Path(sys.argv[2]).resolve() / "meshes/reference_link/link.msh"
 
 
 def body(name, mass, inertia, y=0):
-    return f"""
-[[body]]
-name = "{name}"
-mass = "{mass} kg"
-center_of_mass = ["0 mm", "0 mm", "0 mm"]
-inertia = ["{inertia} kg m^2", "{inertia} kg m^2", "{inertia} kg m^2"]
-placement = {{ origin = ["140 mm", "{y} mm", "0 mm"] }}
-"""
+    return scene_text.body(name, f"{mass} kg", f"{inertia} kg m^2", origin=(140, y, 0))
 
 
 def joint(name, kind, first, second, x=140, y=0):
@@ -85,15 +79,8 @@ VOLTS = 20 * 4 * 0.1  # per rate of the hinge
 def peak(clevis, folder, between, pins):
     """With vibration [MPa]."""
     scene = folder / "scene.toml"
-    scene.write_text(f"""schema = 1
-name = "dragged"
-[world]
-gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
-{support.STEEL}
-[[body]]
-name = "link"
-part = "link"
-{body("disc", 0.5, 2e-2)}{joint("A", "weld", "ground", "link", 0)}{between}
+    scene.write_text(f"""{scene_text.head("dragged")}
+{scene_text.part_body("link")}{body("disc", 0.5, 2e-2)}{joint("A", "weld", "ground", "link", 0)}{between}
 [[force]]
 type = "table"
 name = "push"

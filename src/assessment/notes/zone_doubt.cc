@@ -112,7 +112,8 @@ void add_zone_doubt(const PartJob& job, PartResult& result) {
       for (std::size_t s = 0; s < set.history.seats.size(); ++s) {
         Pressed pressed = pressed_by(job, set.history, instant, s);
         if (pressed.seat == nullptr) continue;
-        if (is_near(judged.at, *pressed.seat, instant.zones[s])) {
+        if (instant.label == judged.label &&
+            is_near(judged.at, *pressed.seat, instant.zones[s])) {
           pressed.cell = cell_at(job.mesh, *pressed.seat, instant.zones[s]);
         }
         const double amount = amount_of(pressed, judged.value);
@@ -126,8 +127,8 @@ void add_zone_doubt(const PartJob& job, PartResult& result) {
   if (most == 0.0) return;
   widen_for_cells(judged, most, job.tolerance);
   result.notes.push_back(fmt::format(
-      "{} presses on {:.3g} mm of its wall with {:.3g} MPa, and cells there "
-      "are longer: mesh finer there",
+      "{} presses on {:.3g} mm of its wall with {:.3g} MPa, which cells there "
+      "are too long to show: mesh finer there",
       worst.seat->name, worst.length * 1e3, worst.pressure * 1e-6));
 }
 

@@ -21,12 +21,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using loads::Wrench;
 
-/// Components of a wrench that are forces: their reactions, as loads jump,
-/// settle with no number of shapes.
-constexpr Index kForces = 3;
-
-template <int dim>
-constexpr auto kComponents = static_cast<Index>(kActing<dim>.size());
+/// Components of a wrench in space. Of the forces, which come first, reactions
+/// settle with no number of shapes as loads jump.
+constexpr Index kForces = 3, kMoments = 3, kComponents = kForces + kMoments;
 
 /// Of the wrench's parts that press, a moment by an arm [N].
 double size_of(const Wrench& wrench, double arm) {
@@ -66,30 +63,25 @@ const Wrench* largest_on(std::size_t seat, double radius,
   return most > kLeast * most_of_all ? largest : nullptr;
 }
 
-/// Derivative of a pin's pressure by its wrench, dofs × acting components
-/// [1], [1/m]; nothing where it would have to pull at an open wall.
+/// Derivative of a pin's pressure by its moment, dofs × components [1/m];
+/// nothing where it would have to pull at an open wall.
 template <int dim>
 std::optional<MatrixXd> pressure_derivative(
     const Discretization<dim>& discretization, const loads::Seat& seat,
     const Wrench& wrench, double radius, const std::string& part_name) {
   constexpr double kStep = 1e-4;  // of the wrench
-  const double force = kStep * size_of(wrench, radius);
+  const double step = kStep * size_of(wrench, radius) * radius;
   loads::LoadHistory stepped{.seats = {seat}};
   stepped.instants.push_back({.wrenches = {wrench}});
-  VectorXd steps(kComponents<dim>);
-  for (Index k = 0; k < steps.size(); ++k) {
-    const Index component = kActing<dim>[static_cast<std::size_t>(k)];
-    steps[k] = component < 3 ? force : force * radius;
+  for (Index k = 0; k < kMoments; ++k) {
     Wrench next = wrench;
-    (component < 3 ? next.force[component] : next.moment[component - 3]) +=
-        steps[k];
+    next.moment[k] += step;
     stepped.instants.push_back({.wrenches = {next}});
   }
   try {
     const MatrixXd all =
         assemble_loads(discretization, stepped, 0.0, part_name);
-    return (all.rightCols(steps.size()).colwise() - all.col(0)) *
-           steps.cwiseInverse().asDiagonal();
+    return (all.rightCols(kMoments).colwise() - all.col(0)) / step;
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -120,22 +112,18 @@ MatrixXd moved_by_ones(const MatrixXd& means, const MatrixXd& answers,
          product(rigid, found.bottomRows(motions) / size);
 }
 
-/// Acting components of the seats' wrenches, × instants [N], [N m].
-/// @param rows  of all seats' components.
-template <int dim>
-MatrixXd wrenches_at(const std::vector<loads::InstantLoad>& instants,
-                     const std::vector<Index>& rows) {
+/// Moments of the seats, × instants [N m]. @param rows  of all seats'
+/// components.
+MatrixXd moments_at(const std::vector<loads::InstantLoad>& instants,
+                    const std::vector<Index>& rows) {
   MatrixXd found(std::ssize(rows), std::ssize(instants));
   for (Index i = 0; i < found.cols(); ++i) {
     for (Index k = 0; k < found.rows(); ++k) {
       const Index row = rows[static_cast<std::size_t>(k)];
       const Wrench& wrench =
           instants[static_cast<std::size_t>(i)]
-              .wrenches[static_cast<std::size_t>(row / kComponents<dim>)];
-      const Index component =
-          kActing<dim>[static_cast<std::size_t>(row % kComponents<dim>)];
-      found(k, i) = component < 3 ? wrench.force[component]
-                                  : wrench.moment[component - 3];
+              .wrenches[static_cast<std::size_t>(row / kComponents)];
+      found(k, i) = wrench.moment[row % kComponents - kForces];
     }
   }
   return found;
@@ -170,15 +158,13 @@ PinReactions<dim>::PinReactions(const VibratingPart<dim>& part,
     const auto pressure =
         pressure_derivative(discretization, seat, *largest, *radius, part_name);
     if (!pressure) continue;
-    const Index begin = kComponents<dim> * static_cast<Index>(s);
-    for (Index k = kForces; k < kComponents<dim>; ++k) {
-      forces.conservativeResize(Eigen::NoChange, forces.cols() + 1);
-      forces.rightCols(1) = pressure->col(k) - means.col(begin + k);
-      pressed.push_back(begin + k);
-    }
+    const Index begin = kComponents * static_cast<Index>(s) + kForces;
+    forces.conservativeResize(Eigen::NoChange, forces.cols() + kMoments);
+    forces.rightCols(kMoments) = *pressure - means.middleCols(begin, kMoments);
+    for (Index k = 0; k < kMoments; ++k) pressed.push_back(begin + k);
   }
   if (pressed.empty()) return;
-  wrenches_ = wrenches_at<dim>(history.instants, pressed);
+  moments_ = moments_at(history.instants, pressed);
   const MatrixXd rigid = dynamics::mass_orthonormal(system, system.rigid);
   const MatrixXd weighted = system.mass(rigid);
   const double shift = system.least_shift();
@@ -214,7 +200,7 @@ MatrixXd PinReactions<dim>::spread_evenly(const MatrixXd& answers,
   if (differences_.cols() == 0) return answers;
   const MatrixXd of_columns = MatrixXd(coefficients.transpose())
                                   .completeOrthogonalDecomposition()
-                                  .solve(wrenches_.transpose())
+                                  .solve(moments_.transpose())
                                   .transpose();
   return answers - product(differences_, of_columns);
 }

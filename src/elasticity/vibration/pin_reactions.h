@@ -27,10 +27,10 @@ class PinReactions {
                const std::vector<Eigen::Index>& instants,
                const std::string& part_name);
 
-  /// Answers of the part to unit wrenches [1/N], [1/(N m)]: pressed less linear
-  /// tractions, equations × wrenches, without rigid motion.
+  /// Answers of the part to unit moments [1/N]: pressed less linear tractions,
+  /// equations × moments, without rigid motion.
   const Eigen::MatrixXd& differences() const { return differences_; }
-  /// Those wrenches in vibrations, wrenches × shapes: what moving a seat alone
+  /// Those moments in vibrations, moments × shapes: what moving a seat alone
   /// takes, which asks nothing of shapes but to be near to vibrations.
   /// @param shapes   equations × shapes [1/√kg]. @param squares  ω² [1/s²].
   Eigen::MatrixXd reactions(const Eigen::MatrixXd& shapes,
@@ -45,7 +45,7 @@ class PinReactions {
 
  private:
   Eigen::MatrixXd differences_;
-  Eigen::MatrixXd wrenches_;  ///< of the loads at rest, × instants
+  Eigen::MatrixXd moments_;  ///< of the loads at rest, × instants
   /// K ψ, M ψ: motions ψ that move a seat by one along a wrench, and no other.
   Eigen::MatrixXd stiffness_, mass_;
 };

@@ -281,5 +281,27 @@ TEST(Motor, PassesAChangePoint) {
   EXPECT_NEAR(last.supplied, last.lost + last.stored + last.given, 1e-9);
 }
 
+// 3/2 (n p ψ)² is 96 N m Ω s/rad: over L a spring, over R a damper behind it;
+// without R the spring alone, with an L that lets go at once the damper.
+TEST(Motor, PushesBackByItsCurrent) {
+  MotorLaw law{.ratio = 20.0,
+               .pole_pairs = 4,
+               .resistance = 0.5,
+               .inductance = 5e-3,
+               .flux = 0.1};
+  const LineTangent both = motor_tangent(law);
+  EXPECT_NEAR(both.stiffness, 19200.0, 1e-9 * 19200.0);
+  EXPECT_NEAR(both.damping, 192.0, 1e-9 * 192.0);
+  EXPECT_TRUE(both.relaxes);
+  law.inductance = 4e-5;  // L/R 0.08 ms
+  EXPECT_EQ(motor_tangent(law).stiffness, 0.0);
+  EXPECT_NEAR(motor_tangent(law).damping, 192.0, 1e-9 * 192.0);
+  EXPECT_FALSE(motor_tangent(law).relaxes);
+  law.inductance = 5e-3;
+  law.resistance = 0.0;
+  EXPECT_NEAR(motor_tangent(law).stiffness, 19200.0, 1e-9 * 19200.0);
+  EXPECT_FALSE(motor_tangent(law).relaxes);
+}
+
 }  // namespace
 }  // namespace clevis::mechanism
