@@ -112,6 +112,10 @@ bool fit_cylinder(const Grid& grid, cad::Face& face) {
 
 }  // namespace
 
+bool is_elementary(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face).GetType() <= GeomAbs_Torus;
+}
+
 bool fit_surface(const BRepAdaptor_Surface& surface, const Patch& patch,
                  cad::Face& face) {
   const auto grid = grid_on(surface, patch);

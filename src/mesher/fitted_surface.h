@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BRepAdaptor_Surface.hxx>
+#include <TopoDS_Face.hxx>
 
 #include "cad/face.h"
 
@@ -10,6 +11,9 @@ namespace clevis::mesher {
 struct Patch {
   double u0{}, u1{}, v0{}, v1{};
 };
+
+/// Whether a face is plane, cylindrical, conical, spherical or toroidal.
+bool is_elementary(const TopoDS_Face& face);
 
 /// Plane or cylinder under a face that its file gives as a spline, or as a line
 /// or circle that is swept or turned: kind, axis, radius, turn and extent, from

@@ -18,6 +18,8 @@
 #include <gp_Lin.hxx>
 
 #include "cad/face_groups.h"
+#include "mesher/bent_face.h"
+#include "mesher/fitted_surface.h"
 
 namespace clevis::mesher {
 namespace {
@@ -127,8 +129,27 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
         sources_.push_back({here.Value(), std::min(curved, thick), 0.0});
       }
     }
+    if (!is_elementary(face)) {
+      finest = add_bends(face, turn / fineness);
+    }
     on_face_.push_back(finest);
   }
+}
+
+/// A spline may bend in one place alone: cells are small there, not all over
+/// the face.
+/// @return the largest size on it [mm].
+double MeshSizes::add_bends(const TopoDS_Face& face, double turn) {
+  // Cells follow a spline by parabolas: over an eighth of a turn these kink by
+  // 12 degrees, which looks like a notch, over half of that by 1.5.
+  constexpr double kLocal = 0.8, kOfTurn = 0.5;
+  const BendSizes bends = bend_sizes(face, turn, largest_);
+  for (const auto& [at, size] : bends.places) {
+    if (size < kLocal * bends.coarsest) {
+      sources_.push_back({at, kOfTurn * size, 0.0});
+    }
+  }
+  return bends.coarsest;
 }
 
 /// Keeps what says more than its neighbours do.

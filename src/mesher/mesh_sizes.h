@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <gp_Pnt.hxx>
 
@@ -34,6 +35,7 @@ class MeshSizes {
  private:
   void add_faces(const TopoDS_Solid& solid, double fineness,
                  const cad::Request& request);
+  double add_bends(const TopoDS_Face& face, double turn);
   void thin_out();
   void refine(const TopoDS_Solid& solid, const cad::Request& request);
 

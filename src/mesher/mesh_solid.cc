@@ -111,12 +111,13 @@ void import_plate(const TopoDS_Solid& solid, const cad::Plate& plate) {
   gmsh::option::setNumber("Mesh.RecombinationAlgorithm", kSubdivided);
 }
 
-/// @throws Error M010 if there are others than hexahedra.
-void require_hexahedra(const cad::Request& request) {
+/// @throws Error M010 if there are none, or of a plate others than hexahedra.
+void require_cells(const cad::Request& request) {
   constexpr int kHexahedra27 = 12;  // gmsh's number of the type
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 3);
-  if (types != std::vector{kHexahedra27}) {
+  if (types.empty()) refuse(request, "gmsh makes no cells of it");
+  if (request.plate && types != std::vector{kHexahedra27}) {
     refuse(request, "its plane is not all quadrangles");
   }
 }
@@ -266,7 +267,7 @@ void mesh_solid(const TopoDS_Solid& solid, const cad::Solid& described,
     add_groups(request, tags);
     set_sizes(tags, sizes);
     request.plate ? generate() : generate_without_kinks();
-    if (request.plate) require_hexahedra(request);
+    require_cells(request);
     gmsh::model::mesh::removeSizeCallback();
     gmsh::write(request.mesh.string());
   } catch (const Error&) {

@@ -205,7 +205,7 @@ ROOMS = {
 
 # Headers that other modules may include, of modules with rooms.
 PUBLIC = {
-    "base": "algebra/singular_vectors algebra/unit_columns messages/diagnostics messages/errors messages/exit_code"
+    "base": "algebra/append_columns algebra/singular_vectors algebra/unit_columns messages/diagnostics messages/errors messages/exit_code"
             " values/index values/quantity values/round_off_length values/stopwatch"
             " bytes/base64 bytes/compression bytes/fingerprint"
             " system/allowed_program system/companion system/huge_pages"

@@ -244,7 +244,8 @@ struct DurationRatio {
   std::string impact;      ///< "stop, upper at 0.31 s"
   double duration{};       ///< of its force [s]
   double rise_time{};      ///< [s]
-  double ratio{};          ///< duration over the part's first period [1]
+  double first_period{};   ///< of the part [s]
+  double ratio{};          ///< duration over the first period [1]
   double amplification{};  ///< of one mode by a half sine as long [1]
   std::string treatment;   ///< "quasi-static", …
 };
@@ -370,8 +371,9 @@ struct PartResult {
   SelfChecks self_checks;
   std::vector<ProbeResult> probes;
   PartSeconds seconds;
-  double mass{};                       ///< [kg]
-  std::optional<double> first_period;  ///< of the free or held part [s]
+  double mass{};  ///< [kg]
+  /// Of the free or held part, whether loads excite it or not [s].
+  std::optional<double> first_period;
   std::vector<ImpactResult> impacts;
   std::vector<DurationRatio> duration_ratios;
   VibrationResult vibration;

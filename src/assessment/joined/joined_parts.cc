@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,6 +12,7 @@
 #include "assessment/second_order/second_order_check.h"
 #include "assessment/verdict/governing_peak.h"
 #include "assessment/verdict/verdict.h"
+#include "assessment/vibration/duration_ratio.h"
 
 namespace clevis::assessment {
 namespace {
@@ -47,17 +49,10 @@ std::string others(const std::vector<Member>& members, const Member& but) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-/// First period of all that a part does, or of the shapes that its loads excite
-/// [s]; 0: not known.
-using PeriodOf = double (*)(const PartResult&);
+using PeriodOf = std::optional<double> (*)(const PartResult&);
 
-double first_of_all(const PartResult& result) {
-  return result.first_period.value_or(0.0);
-}
-
-double first_excited(const PartResult& result) {
-  const double frequency = result.vibration.lowest_frequency;
-  return frequency > 0.0 ? 1.0 / frequency : first_of_all(result);
+std::optional<double> first_of_all(const PartResult& result) {
+  return result.first_period;
 }
 
 /// Why the vibration of one of the members is not known; empty: it is.
@@ -67,9 +62,9 @@ std::string not_known_joined(const std::vector<Member>& members,
                              PeriodOf period_of) {
   double squares = 0.0;  // [s²]
   for (const Member& any : members) {
-    squares += std::pow(period_of(*any.result), 2);
+    squares += std::pow(period_of(*any.result).value_or(0.0), 2);
   }
-  const double first = period_of(*member.result);
+  const double first = period_of(*member.result).value_or(0.0);
   const double low = first * first / squares;
   if (!(first > 0.0) || low > kCounts) return {};
   for (const LoadSet& set : member.job->load_sets) {

@@ -20,9 +20,32 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+constexpr double kLike = 0.02;  // periods, as the width of a resonance
+
 bool are_like(double shortest, double longest) {
-  constexpr double kLike = 0.02;  // as the width of a resonance
   return longest - shortest <= kLike * longest;
+}
+
+/// Instants whose modes are like those of the first of their group: eight
+/// groups at most, for which they may be farther apart.
+std::vector<std::vector<std::size_t>> alike(
+    const std::vector<HeldModes>& modes, const std::vector<std::size_t>& at) {
+  constexpr std::size_t kMost = 8;
+  for (double apart = kLike;; apart *= 2.0) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (const std::size_t i : at) {
+      const auto like = std::ranges::find_if(groups, [&](const auto& group) {
+        return are_like(modes[group.front()], modes[i], apart);
+      });
+      if (like != groups.end()) {
+        like->push_back(i);
+      } else {
+        groups.push_back({i});
+      }
+      if (groups.size() > kMost) break;
+    }
+    if (groups.size() <= kMost) return groups;
+  }
 }
 
 /// Times that are nearer to an instant than to others.
@@ -205,7 +228,8 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   const bool may_be_sprung =
       std::ranges::any_of(holds, &loads::SeatHold::is_sprung);
   if (!may_be_sprung && !change() && !spins(fastest)) return;
-  const MatrixXd wrenches = elasticity::span_of(holds);
+  const MatrixXd wrenches =
+      elasticity::span_of(holds, extreme_changes(history));
   make_solvers(motion);
   std::optional<elasticity::SeatShapes> shapes;
   for (auto& solver : motion.solvers) {
@@ -227,20 +251,18 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   }
   if (spins(fastest)) motion.moved = shapes->moved_by_spin(fastest);
   if (!change()) return;
-  std::vector<double> some;
-  for (const loads::SeatHold& hold : holds) {
-    some.push_back(shapes->first_period(hold));
+  ExcitedModes excited(job_, motion.loads, *shapes);
+  const HeldModes first = excited.of(holds.front());
+  if (std::ranges::all_of(holds, [&](const loads::SeatHold& hold) {
+        return clevis::assessment::are_like(first, excited.of(hold), kLike);
+      })) {
+    return;
   }
-  const auto [shortest, longest] = std::ranges::minmax(some);
-  if (are_like(shortest, longest)) return;
-  std::vector<double> periods;
   for (const loads::InstantLoad& instant : history.instants) {
     loads::SeatHold hold = history.hold(instant.time);
     if (!history.springs_hold) hold.leave_springs_out();
-    periods.push_back(shapes->first_period(hold));
+    motion.modes.push_back(excited.of(hold));
   }
-  motion.places = std::move(periods);
-  motion.are_periods = true;
 }
 
 double HeldMotions::period_held(Motion& motion, double time) const {
@@ -258,7 +280,6 @@ double HeldMotions::period_held(Motion& motion, double time) const {
 
 double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
   constexpr double kSame = 1e-6;  // of the way
-  if (motion.are_periods) return motion.places[instant];
   const double along =
       (motion.places[instant] - motion.low) / (motion.high - motion.low);
   const auto [known, is_new] =
@@ -279,6 +300,15 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   auto& places = motion.places;
   places = slide_way(motion.loads.history, kLittle * job_.sides()[2]);
   look_at_seats(motion);
+  if (!motion.modes.empty()) {
+    const auto slowest =
+        std::ranges::max_element(motion.modes, {}, &HeldModes::first_period) -
+        motion.modes.begin();
+    motion.longest = period_held(
+        motion,
+        motion.loads.history.instants[static_cast<std::size_t>(slowest)].time);
+    return motion;
+  }
   if (places.empty()) {
     motion.longest = period_held(motion, motion.loads.history.hold_time);
     return motion;
@@ -286,12 +316,6 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   const auto [low, high] = std::ranges::minmax_element(places);
   motion.low = *low;
   motion.high = *high;
-  if (motion.are_periods) {
-    const auto slowest = static_cast<std::size_t>(high - places.begin());
-    motion.longest =
-        period_held(motion, motion.loads.history.instants[slowest].time);
-    return motion;
-  }
   const double middle = 0.5 * (*low + *high);
   const auto nearest = std::ranges::min_element(places, {}, [&](double place) {
     return std::abs(place - middle);
@@ -320,13 +344,26 @@ std::vector<HeldStretch> HeldMotions::stretches(
   for (std::size_t i = 0; i < instants.size(); ++i) {
     if (!in_both({around(instants, i)}, driven).empty()) at.push_back(i);
   }
-  if (of.places.empty() || at.empty()) {
+  const bool is_one = of.places.empty() && of.modes.empty();
+  if (is_one || at.empty()) {
     return {{of.loads.history.hold_time, windows_at(instants, at, driven)}};
+  }
+  std::vector<HeldStretch> found;
+  if (!of.modes.empty()) {
+    const PeriodsOf periods = [&](std::size_t instant) {
+      const auto& modes = of.modes[instant].modes;
+      Eigen::VectorXd all(std::ssize(modes));
+      std::ranges::transform(modes, all.begin(), &ExcitedMode::period);
+      return all;
+    };
+    for (const Instants& group : alike(of.modes, at)) {
+      found.push_back(stretch_of(of, group, driven, periods));
+    }
+    return found;
   }
   std::ranges::stable_sort(at, {}, [&](std::size_t i) {
     return of.places[i];
   });
-  std::vector<HeldStretch> found;
   split(of, at, kHalvings, driven, found);
   return found;
 }
@@ -346,27 +383,41 @@ void HeldMotions::split(Motion& motion, const Instants& at, int depth,
     longest = std::max(longest, period);
   }
   if (depth == 0 || half == at.end() || are_like(shortest, longest)) {
-    found.push_back(stretch_of(motion, at, driven));
+    found.push_back(
+        stretch_of(motion, at, driven, periods_by_place(motion, at)));
     return;
   }
   split(motion, {at.begin(), half}, depth - 1, driven, found);
   split(motion, {half, at.end()}, depth - 1, driven, found);
 }
 
-HeldStretch HeldMotions::stretch_of(
-    Motion& motion, const Instants& at,
-    const std::vector<VibrationWindow>& driven) const {
+HeldMotions::PeriodsOf HeldMotions::periods_by_place(Motion& motion,
+                                                     const Instants& at) const {
+  std::vector<std::pair<double, double>> known;
+  for (const std::size_t i : {at.front(), at[(at.size() - 1) / 2], at.back()}) {
+    known.emplace_back(motion.places[i], period_at(motion, i));
+  }
+  return [known, &motion](std::size_t i) {
+    return Eigen::VectorXd::Constant(1,
+                                     between_places(known, motion.places[i]));
+  };
+}
+
+HeldStretch HeldMotions::stretch_of(const Motion& motion, const Instants& at,
+                                    const std::vector<VibrationWindow>& driven,
+                                    const PeriodsOf& periods) const {
   const auto& instants = motion.loads.history.instants;
   HeldStretch stretch{0.0, windows_at(instants, at, driven)};
-  stretch.hold_time = instants[most_excited(motion, at, stretch.windows)].time;
+  stretch.hold_time =
+      instants[most_excited(motion, at, stretch.windows, periods)].time;
   return stretch;
 }
 
 std::size_t HeldMotions::most_excited(
-    Motion& motion, const Instants& at,
-    const std::vector<VibrationWindow>& windows) const {
-  // Of the time that is driven, by place: where it dwells it is looked at
-  // there.
+    const Motion& motion, const Instants& at,
+    const std::vector<VibrationWindow>& windows,
+    const PeriodsOf& periods) const {
+  // Of the time that is driven: where it dwells it is looked at there.
   constexpr int kLooks = 16;
   const auto& instants = motion.loads.history.instants;
   std::vector<double> until;
@@ -374,28 +425,21 @@ std::size_t HeldMotions::most_excited(
   for (const std::size_t i : at) {
     until.push_back(sum += duration(in_both({around(instants, i)}, windows)));
   }
-  const std::size_t half = at[(at.size() - 1) / 2];
-  std::vector<std::pair<double, double>> known;
-  for (const std::size_t i : {at.front(), half, at.back()}) {
-    known.emplace_back(motion.places[i], period_at(motion, i));
-  }
   LoadSet meanwhile = motion.loads;
   std::erase_if(meanwhile.history.instants, [&](const auto& instant) {
     return !lies_in(windows, instant.time);
   });
   const auto path = load_components(job_, meanwhile);
-  std::size_t worst = half;
+  std::size_t worst = at[(at.size() - 1) / 2];
   double most = 0.0;
   for (int k = 0; k < kLooks; ++k) {
     const double share = (k + 0.5) / kLooks;
     const auto found = std::ranges::lower_bound(until, share * sum);
     if (found == until.end()) continue;
     const std::size_t i = at[static_cast<std::size_t>(found - until.begin())];
-    const double period = between_places(known, motion.places[i]);
-    const double answer =
-        dynamics::response_spectrum(path, Eigen::VectorXd::Constant(1, period),
-                                    job_.part.damping, kPaceCounts)
-            .amplification;
+    const double answer = dynamics::response_spectrum(
+                              path, periods(i), job_.part.damping, kPaceCounts)
+                              .amplification;
     if (!(answer > most)) continue;
     most = answer;
     worst = i;

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "assessment/job/part_job.h"
+#include "assessment/stretches/excited_modes.h"
 #include "assessment/stretches/vibration_times.h"
 #include "elasticity/vibration/eigenmodes.h"
 
@@ -37,11 +41,12 @@ class HeldMotions {
       std::size_t set) {
     return motion(set).moved;
   }
-  /// What lies in windows of followed_loads(), by places of the slide, or else
-  /// ways in which other bodies stand, between which the first period is like;
-  /// of such places that counts which the loads meanwhile excite most. One, at
-  /// the history's own hold_time, where the first period does not change.
-  /// Each has an instant of the loads in its windows.
+  /// What lies in windows of followed_loads(), by places of the slide between
+  /// which the first period is like, or else by ways in which the mechanism
+  /// holds and weighs the part that leave like vibrations to its loads; of such
+  /// instants that counts at which the loads meanwhile excite most. One, at the
+  /// history's own hold_time, where these do not change. Each has an instant of
+  /// the loads in its windows.
   /// @param driven  rising, not empty.
   std::vector<HeldStretch> stretches(
       std::size_t set, const std::vector<VibrationWindow>& driven);
@@ -55,20 +60,22 @@ class HeldMotions {
 
     LoadSet loads;  ///< followed_loads()
     std::vector<elasticity::FirstPeriods<3>> solvers = {};
-    /// slide_way() [m], or without a slide first periods [s]; empty: as one.
+    /// slide_way() [m]; empty: no slide, or as one.
     std::vector<double> places = {};
-    bool are_periods = false;
     double low{}, high{};  ///< of them
+    /// Of each instant, without a slide; empty: as one.
+    std::vector<HeldModes> modes = {};
     std::vector<elasticity::SeatShapes::Moved> moved = {};
     std::map<long long, double> periods = {};  ///< first, by place [s]
     double longest{};                          ///< HeldMotions::first_period()
   };
-  /// Instants of a motion, by place.
-  using Instants = std::vector<std::size_t>;
+  using Instants = std::vector<std::size_t>;  ///< of a motion
+  /// Periods by which an instant is looked at [s].
+  using PeriodsOf = std::function<Eigen::VectorXd(std::size_t)>;
 
   Motion& motion(std::size_t set);
-  /// How the part's seats are held, sprung, weighed and spun; puts
-  /// periods in place of a slide's way that it does not have.
+  /// How the part's seats are held, sprung, weighed and spun; without a slide
+  /// the modes that this leaves, too.
   void look_at_seats(Motion& motion) const;
   void make_solvers(Motion& motion) const;
   /// First period as the part is held at a time [s].
@@ -77,10 +84,14 @@ class HeldMotions {
   void split(Motion& motion, const Instants& at, int depth,
              const std::vector<VibrationWindow>& driven,
              std::vector<HeldStretch>& found) const;
-  HeldStretch stretch_of(Motion& motion, const Instants& at,
-                         const std::vector<VibrationWindow>& driven) const;
-  std::size_t most_excited(Motion& motion, const Instants& at,
-                           const std::vector<VibrationWindow>& windows) const;
+  /// @param at  by place. @return first period, linear between three places.
+  PeriodsOf periods_by_place(Motion& motion, const Instants& at) const;
+  HeldStretch stretch_of(const Motion& motion, const Instants& at,
+                         const std::vector<VibrationWindow>& driven,
+                         const PeriodsOf& periods) const;
+  std::size_t most_excited(const Motion& motion, const Instants& at,
+                           const std::vector<VibrationWindow>& windows,
+                           const PeriodsOf& periods) const;
 
   const PartJob& job_;
   std::vector<std::optional<Motion>> motions_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -26,18 +27,29 @@ bool drives(const ImpactLoad& load,
   });
 }
 
+void refer_to(double first, DurationRatio& rated) {
+  rated.first_period = first;
+  rated.ratio = rated.duration / first;
+}
+
+double amplification_of(const PartJob& job, const DurationRatio& pulse) {
+  const double first = pulse.first_period;
+  double most = 0.0;
+  for (const double period : {first, std::min(period_of_waves(job), first)}) {
+    most = std::max(most, pulse_amplification(pulse.duration / period,
+                                              pulse.rise_time / period));
+  }
+  return most;
+}
+
 DurationRatio rated_impact(const PartJob& job, const ImpactLoad& load,
                            double first, bool in_time) {
   DurationRatio rated;
   rated.impact = load.name;
   rated.duration = load.duration;
   rated.rise_time = load.rise_time;
-  rated.ratio = load.duration / first;
-  for (const double period : {first, std::min(period_of_waves(job), first)}) {
-    rated.amplification = std::max(
-        rated.amplification,
-        pulse_amplification(load.duration / period, load.rise_time / period));
-  }
+  refer_to(first, rated);
+  rated.amplification = amplification_of(job, rated);
   rated.treatment = in_time ? kInTime
                     : rated.ratio < kShort
                         ? "beam impact: over before the part gives way, the "
@@ -60,13 +72,18 @@ DurationRatio rated_change(const dynamics::ResponseSpectrum& spectrum,
   rated.impact =
       fmt::format("change of its loads near {:.6g} s", spectrum.time);
   rated.duration = changes.to - changes.from;
-  rated.ratio = rated.duration / first;
+  refer_to(first, rated);
   rated.amplification = spectrum.amplification;
   rated.treatment = kInTime;
   return rated;
 }
 
 }  // namespace
+
+std::optional<double> first_excited(const PartResult& result) {
+  const double frequency = result.vibration.lowest_frequency;
+  return frequency > 0.0 ? 1.0 / frequency : result.first_period;
+}
 
 double half_sine_amplification(double r) {
   constexpr double kPi = std::numbers::pi;
@@ -136,6 +153,17 @@ std::vector<VibrationWindow> judge_load_pace(const PartJob& job, std::size_t s,
     result.duration_ratios.push_back(rated_change(spectrum, windows, first));
   }
   return windows;
+}
+
+void refer_to_vibration(const PartJob& job, PartResult& result) {
+  const auto first = first_excited(result);
+  if (!first) return;
+  for (DurationRatio& rated : result.duration_ratios) {
+    refer_to(*first, rated);
+    if (rated.rise_time > 0.0) {  // a pulse; of changes the spectrum's stands
+      rated.amplification = amplification_of(job, rated);
+    }
+  }
 }
 
 }  // namespace clevis::assessment

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "assessment/job/part_job.h"
@@ -8,6 +9,11 @@
 #include "assessment/stretches/vibration_times.h"
 
 namespace clevis::assessment {
+
+/// First period of what the loads excite, where their vibration was computed;
+/// else of all that the part does: a plate that they bend in its plane may
+/// swing slower across it, and does not [s].
+std::optional<double> first_excited(const PartResult& result);
 
 /// Largest answer of a mode without damping to a half-sine pulse over the
 /// answer to its largest value at rest, by the pulse's duration over the
@@ -27,5 +33,9 @@ double pulse_amplification(double duration_over_period,
 std::vector<VibrationWindow> judge_load_pace(const PartJob& job,
                                              std::size_t set, HeldMotions& held,
                                              PartResult& result);
+
+/// Refers durations to the first period that the loads excite.
+/// @pre the vibration has been checked.
+void refer_to_vibration(const PartJob& job, PartResult& result);
 
 }  // namespace clevis::assessment

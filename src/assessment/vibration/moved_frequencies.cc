@@ -10,6 +10,7 @@
 #include "assessment/pace/load_pace.h"
 #include "assessment/pace/spinning_part.h"
 #include "assessment/verdict/governing_peak.h"
+#include "assessment/vibration/duration_ratio.h"
 
 namespace clevis::assessment {
 namespace {
@@ -22,11 +23,10 @@ struct AxialStress {
 
 /// Why a part's vibration is not known where its first frequency is not that of
 /// its shapes at rest; empty: it is.
-/// @param result  with a first period.
+/// @param first  period [s].
 std::string not_known_moved(const PartJob& job, const LoadSet& given,
-                            const PartResult& result,
-                            const AxialStress& axial) {
-  const double first = result.first_period.value();
+                            const PartResult& result, const AxialStress& axial,
+                            double first) {
   constexpr double kSlender = 10.0;
   constexpr double kGuided = 1.25;  // squares, by regression.sliding_rods
   const LoadSet motion = followed_loads(given);
@@ -94,13 +94,15 @@ void doubt_moved_frequencies(const PartJob& job,
   if (!result.first_period || !result.vibration.not_followed.empty()) return;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const auto& factors = result.buckling.of_motions;
-    std::string unknown =
-        not_known_moved(job, job.load_sets[s], result,
-                        {s < factors.size() ? factors[s] : HUGE_VAL,
-                         s < stiffening.size() ? stiffening[s] : 0.0});
-    if (unknown.empty()) continue;
-    result.vibration.not_followed = std::move(unknown);
-    return;
+    const AxialStress axial{s < factors.size() ? factors[s] : HUGE_VAL,
+                            s < stiffening.size() ? stiffening[s] : 0.0};
+    for (const double first : {*result.first_period, *first_excited(result)}) {
+      std::string unknown =
+          not_known_moved(job, job.load_sets[s], result, axial, first);
+      if (unknown.empty()) continue;
+      result.vibration.not_followed = std::move(unknown);
+      return;
+    }
   }
 }
 

@@ -160,7 +160,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   for (HeldStretch& stretch : held_stretches) {
     VibrationTimes there{std::move(stretch.windows), {}};
     there.is_stretch = held_stretches.size() > 1;
-    there.swing = swing_windows(there.driven, result.first_period.value(),
+    there.swing = swing_windows(there.driven, held.first_period(s),
                                 job.part.damping, history.instants.back().time);
     stretches.push_back({stretch.hold_time, std::move(there)});
   }
@@ -205,6 +205,7 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
     result.safety_factor = job.part.material.yield_strength / most->peak;
   }
   result.vibration = std::move(*most);
+  refer_to_vibration(job, result);
 }
 
 }  // namespace clevis::assessment

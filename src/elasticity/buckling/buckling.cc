@@ -10,6 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/algebra/append_columns.h"
 #include "base/algebra/singular_vectors.h"
 #include "base/algebra/unit_columns.h"
 #include "dynamics/systems/block_krylov.h"
@@ -65,8 +66,8 @@ class TrialSpace {
   }
   void add(const MatrixXd& unknowns) {
     const Index before = unknowns_.cols() > 0 ? shapes_.cols() : 0;
-    append(unknowns, unknowns_);
-    append(part_.displacements(unknowns, 0), shapes_);
+    append_columns(unknowns, unknowns_);
+    append_columns(part_.displacements(unknowns, 0), shapes_);
     motions_ = stressed_.pushes().motions(shapes_);
     const MatrixXd more = stressed_.stress().forms(shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
@@ -102,10 +103,6 @@ class TrialSpace {
   }
 
  private:
-  static void append(const MatrixXd& more, MatrixXd& columns) {
-    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
-    columns.rightCols(more.cols()) = more;
-  }
   void orthonormalise() {
     constexpr double kSame = 1e-9;  // what is dependent is left out
     const MatrixXd to_orthonormal = orthonormal_combinations(
@@ -286,6 +283,18 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
   }
 }
 
+/// Whether loads are left at the last instant that may push a part over:
+/// a lever that idles on after its loads have gone neither stands nor falls.
+bool acts_at_last(const StressedPart& part, const TrialSpace& space) {
+  constexpr double kNothing = 1e-4;  // of the motion's largest
+  const Index last = part.instants() - 1;
+  double largest = 0.0;
+  for (Index i = 0; i <= last; ++i) {
+    largest = std::max(largest, space.form_of_rigid(i).norm());
+  }
+  return space.form_of_rigid(last).norm() > kNothing * largest;
+}
+
 /// The instants with the largest sums are solved for, until none is left whose
 /// sum is larger than what they have together. @param enough  as of
 /// BucklingProblem.
@@ -369,7 +378,9 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   BucklingMode mode = lowest_of_all(part, space);
   const BucklingOnSprings springs(problem, part);
   mode.on_springs = on_springs(part, springs, space, problem.enough);
-  mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
+  if (acts_at_last(part, space)) {
+    mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
+  }
   return mode;
 }
 

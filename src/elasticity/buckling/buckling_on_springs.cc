@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/algebra/append_columns.h"
 #include "base/algebra/singular_vectors.h"
 #include "base/algebra/unit_columns.h"
 #include "base/messages/errors.h"
@@ -182,10 +183,10 @@ class BucklingOnSprings::Space {
   /// @param unknowns  equations × columns [√J].
   void add(const MatrixXd& unknowns) {
     const MatrixXd more = part_.displacements(unknowns, 0);
-    append(unknowns, unknowns_);
-    append(more, shapes_);
-    append(pushing_(more), pushed_);
-    append(transposed_product(means_, more), motions_);
+    append_columns(unknowns, unknowns_);
+    append_columns(more, shapes_);
+    append_columns(pushing_(more), pushed_);
+    append_columns(transposed_product(means_, more), motions_);
   }
   /// What unit reactions of joints, drives and springs bend.
   void add_reactions() {
@@ -243,11 +244,6 @@ class BucklingOnSprings::Space {
   }
 
  private:
-  static void append(const MatrixXd& more, MatrixXd& columns) {
-    columns.conservativeResize(more.rows(), columns.cols() + more.cols());
-    columns.rightCols(more.cols()) = more;
-  }
-
   const BucklingOnSprings& of_;
   const HeldPart& part_;
   const MatrixXd& means_;

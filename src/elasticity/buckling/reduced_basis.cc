@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/algebra/append_columns.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace clevis::elasticity {
@@ -74,8 +75,7 @@ void ReducedBasis::append(const MatrixXd& vectors,
   for (std::size_t k = 0; k < images.size(); ++k) {
     join(terms_[k], keep(images[k]));
   }
-  vectors_.conservativeResize(Eigen::NoChange, size() + vectors.cols());
-  vectors_.rightCols(vectors.cols()) = vectors;
+  append_columns(vectors, vectors_);
 }
 
 void ReducedBasis::append_term(const MatrixXd& image) {

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "base/algebra/append_columns.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace clevis::elasticity {
@@ -61,11 +62,6 @@ MatrixXd clear_directions(const MatrixXd& rest, double tolerance) {
   return product(rest, clear_combinations(rest, tolerance));
 }
 
-void append_columns(MatrixXd& columns, const MatrixXd& more) {
-  columns.conservativeResize(more.rows(), columns.cols() + more.cols());
-  columns.rightCols(more.cols()) = more;
-}
-
 /// Basis of the history relative to a scale.
 /// @param weights  of the instants' errors.
 LoadBasis compress_over(const MatrixXd& history, double tolerance, double scale,
@@ -78,7 +74,7 @@ LoadBasis compress_over(const MatrixXd& history, double tolerance, double scale,
   MatrixXd rest = history * (weights / scale).asDiagonal();
   for (int pass = 0; pass < kPasses; ++pass) {
     if (rest.colwise().norm().maxCoeff() <= tolerance) break;
-    append_columns(basis.columns, clear_directions(rest, tolerance));
+    append_columns(clear_directions(rest, tolerance), basis.columns);
     rest -= product(basis.columns, transposed_product(basis.columns, rest));
   }
   const MatrixXd gram = transposed_product(basis.columns, basis.columns);
@@ -115,8 +111,8 @@ Orthonormal orthonormalise_by_passes(const MatrixXd& columns) {
   for (int pass = 0; pass < 4; ++pass) {
     if (rest.colwise().norm().maxCoeff() <= kCounts) break;
     const MatrixXd directions = clear_combinations(rest, kCounts);
-    append_columns(basis, product(rest, directions));
-    append_columns(result.combine, product(rest_of_columns, directions));
+    append_columns(product(rest, directions), basis);
+    append_columns(product(rest_of_columns, directions), result.combine);
     const MatrixXd along = transposed_product(basis, rest);
     rest -= product(basis, along);
     rest_of_columns -= product(result.combine, along);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/algebra/append_columns.h"
 #include "elasticity/algebra/dense_product.h"
 
 namespace clevis::elasticity {
@@ -89,8 +90,7 @@ double SplitColumns::largest_column_sum(const MatrixXd& x) const {
 }
 
 void SplitColumns::append(const MatrixXd& wide) {
-  wide_.conservativeResize(Eigen::NoChange, wide_.cols() + wide.cols());
-  wide_.rightCols(wide.cols()) = wide;
+  append_columns(wide, wide_);
 }
 
 void SplitColumns::keep(const std::vector<Index>& kept) {

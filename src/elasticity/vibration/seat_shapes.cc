@@ -9,6 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/algebra/append_columns.h"
 #include "base/algebra/singular_vectors.h"
 #include "base/algebra/unit_columns.h"
 #include "dynamics/systems/block_krylov.h"
@@ -138,11 +139,12 @@ SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
                                                                  all.mass);
   const Index count = all.left.cols() - all.free;
   const VectorXd squares = modes.eigenvalues().tail(count);
-  return {
-      squares,
-      ratios_of(all.dampers, modes.eigenvectors().rightCols(count), squares),
-      motions_ * all.left.topRows(motions_.cols()) *
-          modes.eigenvectors().rightCols(count)};
+  const MatrixXd vibrations = modes.eigenvectors().rightCols(count);
+  const MatrixXd shapes = all.left.topRows(motions_.cols()) * vibrations;
+  const Index elastic = motions_.cols() - rigid_;
+  return {squares, ratios_of(all.dampers, vibrations, squares),
+          motions_ * shapes,
+          motions_.rightCols(elastic) * shapes.bottomRows(elastic)};
 }
 
 SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
@@ -154,10 +156,6 @@ SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {
   const VectorXd squares = modes.eigenvalues().tail(count);
   return {squares, ratios_of(rigid.dampers,
                              modes.eigenvectors().rightCols(count), squares)};
-}
-
-double SeatShapes::first_period(const loads::SeatHold& hold) const {
-  return 2.0 * std::numbers::pi / std::sqrt(held_by(hold).squares[0]);
 }
 
 std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
@@ -188,8 +186,9 @@ std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
   return found;
 }
 
-MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
-  MatrixXd all(holds.front().held.rows(), 0);
+MatrixXd span_of(const std::vector<loads::SeatHold>& holds,
+                 const MatrixXd& loads) {
+  MatrixXd all = unit_columns(loads);
   for (const loads::SeatHold& hold : holds) {
     std::vector<const MatrixXd*> some = {&hold.held, &hold.weighed,
                                          &hold.sprung, &hold.damped};
@@ -201,8 +200,7 @@ MatrixXd span_of(const std::vector<loads::SeatHold>& holds) {
     for (const MatrixXd* wrenches : some) {
       const MatrixXd more = unit_columns(*wrenches);
       if (more.cols() == 0) continue;
-      all.conservativeResize(Eigen::NoChange, all.cols() + more.cols());
-      all.rightCols(more.cols()) = more;
+      append_columns(more, all);
     }
   }
   if (all.cols() == 0) return all;

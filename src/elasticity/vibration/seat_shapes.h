@@ -29,6 +29,9 @@ class SeatShapes {
     Eigen::VectorXd damping;  ///< ζ by dampers [1]
     /// Motions of the seats in them, along `seats`, columns × shapes [1/√kg].
     Eigen::MatrixXd motions;
+    /// The same less what the part moves as a whole: loads in balance excite by
+    /// that alone.
+    Eigen::MatrixXd bending;
   };
   /// @param hold  of seats' wrenches in the span of `seats`.
   Vibrations held_by(const loads::SeatHold& hold) const;
@@ -41,9 +44,6 @@ class SeatShapes {
   /// Of the rigid part, and of other bodies [1/s²], [1].
   Swings rigid_swings(const loads::SeatHold& hold) const;
 
-  /// First period [s]. @pre it has an elastic vibration.
-  double first_period(const loads::SeatHold& hold) const;
-
   /// A frequency and what bodies that spin on the part move it to, both
   /// circular [1/s].
   struct Moved {
@@ -53,8 +53,10 @@ class SeatShapes {
   /// @param hold  with a spin.
   std::vector<Moved> moved_by_spin(const loads::SeatHold& hold) const;
 
- private:
+  /// Components along `seats` of wrenches, 6 n × columns.
   Eigen::MatrixXd along_seats(const Eigen::MatrixXd& wrenches) const;
+
+ private:
   /// What is held and weighed: of shapes_ or of the rigid ones alone.
   struct Held;
   Held held(const loads::SeatHold& hold, Eigen::Index shapes) const;
@@ -65,8 +67,10 @@ class SeatShapes {
   Eigen::Index rigid_{};       ///< the first of them
 };
 
-/// Orthonormal wrenches of which those of all holds are made, each over its
-/// length, 6 n × columns.
-Eigen::MatrixXd span_of(const std::vector<loads::SeatHold>& holds);
+/// Orthonormal wrenches of which those of all holds, and loads, are made, each
+/// over its length, 6 n × columns.
+/// @param loads  6 n × columns.
+Eigen::MatrixXd span_of(const std::vector<loads::SeatHold>& holds,
+                        const Eigen::MatrixXd& loads);
 
 }  // namespace clevis::elasticity

@@ -117,12 +117,13 @@ bool closes_about_pin(const GroupGeometry& group) {
 
 void require_cylinder(const GroupGeometry& group, const std::string& place) {
   if (group.is_cylinder) return;
-  throw Error("L002", place,
-              fmt::format("a pin cannot press on \"{}\": it is not a circular "
-                          "cylinder",
-                          group.name),
-              "Give a bore_* or round_* group, or load the surface by "
-              "`traction`.");
+  throw Error(
+      "L002", place,
+      fmt::format("a pin cannot press on \"{}\": it is not a circular "
+                  "cylinder",
+                  group.name),
+      "Give a bore_* or round_* group, or load the surface otherwise: in "
+      "a history by `faces`, in a case by `traction`.");
 }
 
 std::string vector_text(const Vector3d& v, double scale) {

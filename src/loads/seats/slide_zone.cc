@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "base/algebra/append_columns.h"
 #include "base/messages/errors.h"
 #include "loads/history/balance.h"
 #include "mechanism/joints/joint_types.h"
@@ -36,9 +37,7 @@ struct Walls {
   void add(const GroupGeometry& group) {
     area += group.area;
     normal_square += group.normal_square;
-    const Matrix3Xd more = spanning_points(group);
-    points.conservativeResize(3, points.cols() + more.cols());
-    points.rightCols(more.cols()) = more;
+    append_columns(spanning_points(group), points);
   }
 };
 

@@ -5,17 +5,10 @@
 #include <Eigen/Core>
 
 #include "mechanism/definition/motion.h"
+#include "mechanism/neighbours/load_form.h"
 #include "mechanism/neighbours/neighbours.h"
 
 namespace clevis::mechanism {
-
-/// Where the mechanism acts on a body that gives way at each such place by
-/// itself.
-struct LoadPlace {
-  enum class Kind { kJoint, kDrive, kElement } kind{};
-  int index{};           ///< of joints, drives, elements
-  Eigen::Vector3d p_LS;  ///< the point that moves [m]
-};
 
 /// What loads that keep size and direction, on neighbours and on the body,
 /// gain by second order at small slow motions of the places: neighbours are

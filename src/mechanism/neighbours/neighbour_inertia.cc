@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "base/algebra/append_columns.h"
 #include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
 #include "mechanism/joints/cross_matrix.h"
@@ -99,22 +100,18 @@ std::vector<YieldingElement> yielding_elements(const Neighbours& neighbours,
   return found;
 }
 
-/// An element's directions: wrenches on the body by place, and rows of the
-/// neighbours' unknowns.
-struct Directions {
-  MatrixXd body, neighbours;
-};
-
 /// @param place  where it acts on the body, if it does.
-Directions directions_of(const Neighbours& neighbours, const Configuration& x,
-                         const ActingElement& element,
-                         const std::vector<PlacedJoint::Levers>& given,
-                         std::size_t place, Index wrenches) {
+ElementDirections directions_of(const Neighbours& neighbours,
+                                const Configuration& x,
+                                const ActingElement& element,
+                                const std::vector<PlacedJoint::Levers>& given,
+                                std::size_t place, Index wrenches) {
   const int own = neighbours.slot();
   const Eigen::Matrix3d R_LP = x[index(own)].R.transpose();
-  Directions found{MatrixXd::Zero(wrenches, std::ssize(given)),
-                   MatrixXd::Zero(kTwist * std::ssize(neighbours.slots()),
-                                  std::ssize(given))};
+  ElementDirections found{
+      MatrixXd::Zero(wrenches, std::ssize(given)),
+      MatrixXd::Zero(kTwist * std::ssize(neighbours.slots()),
+                     std::ssize(given))};
   const auto add = [&](int slot, const SpatialForce& force, Index column) {
     if (slot != own) {
       neighbours.add_action(slot, force, found.neighbours.col(column));
@@ -158,23 +155,18 @@ std::vector<Rotor> rotors_on_body(const Neighbours& neighbours,
   return found;
 }
 
-void append(const MatrixXd& more, MatrixXd& columns) {
-  columns.conservativeResize(more.rows(), columns.cols() + more.cols());
-  columns.rightCols(more.cols()) = more;
-}
-
 /// Inertia of rotors on the body as its places feel it: neighbours give way in
 /// motions that the places do not see.
 /// @param turned  directions of the rotors. @param following  of the
 ///   neighbours' speeds to wrenches. @param unseen  those motions.
 MatrixXd weighed_by_rotors(const Neighbours& neighbours, const Configuration& x,
                            const std::vector<Rotor>& rotors,
-                           const std::vector<Directions>& turned,
+                           const std::vector<ElementDirections>& turned,
                            const MatrixXd& following, const MatrixXd& unseen) {
   const Index count = std::ssize(rotors);
   MatrixXd felt(following.cols(), count), given(count, unseen.cols());
   for (Index k = 0; k < count; ++k) {
-    const Directions& along = turned[index(k)];
+    const ElementDirections& along = turned[index(k)];
     const double root = std::sqrt(rotors[index(k)].element->inertia());
     felt.col(k) =
         root * (along.body + following.transpose() * along.neighbours);
@@ -187,99 +179,6 @@ MatrixXd weighed_by_rotors(const Neighbours& neighbours, const Configuration& x,
                           given * mass.llt().solve(given.transpose());
   return series.llt().matrixL().solve(felt.transpose()).transpose();
 }
-
-/// A light body between a spring and the damper behind it. So light that it is
-/// overdamped at any frequency: at its own by 30 [kg].
-double mass_between(const ElementSpring& spring) {
-  constexpr double kOverdamped = 30.0;
-  const double stiffness = spring.stiffness(0, 0);
-  const double decay = spring.damping(0, 0) / stiffness;  // [s]
-  return stiffness * decay * decay / (kOverdamped * kOverdamped);
-}
-
-/// Neighbours with what springs swing, in motions of mass one.
-class SwingingForm {
- public:
-  /// @param wrenches  of the body's rows, by place.
-  SwingingForm(const Neighbours& neighbours, const NeighbourRows& rows,
-               const MatrixXd& wrenches)
-      : wrenches_(wrenches.rows()) {
-    constexpr double kLight = 1e-6;  // of the heaviest: a body of no inertia
-    MatrixXd mass =
-        rows.free.transpose() * neighbours.masses(rows.x) * rows.free;
-    const double heaviest = mass.size() > 0 ? mass.diagonal().maxCoeff() : 0.0;
-    mass.diagonal().array() += heaviest > 0.0 ? kLight * heaviest : 1.0;
-    const Eigen::LLT<MatrixXd> root(mass);
-    motions_ = root.matrixL().solve(rows.free.transpose()).transpose();
-    found_ = {.held = wrenches,
-              .followed = (rows.there * motions_).transpose(),
-              .sprung = none(wrenches_),
-              .damped = none(wrenches_),
-              .sprung_there = none(motions_.cols()),
-              .damped_there = none(motions_.cols())};
-  }
-
-  /// A rotor that turns as its line does.
-  void add(double inertia, const Directions& along) {
-    const Index own = add_motion();
-    append(along.body, found_.held);
-    append(there(along.neighbours), found_.followed);
-    found_.followed(own, found_.followed.cols() - 1) -=
-        1.0 / std::sqrt(inertia);
-  }
-  void add(const ElementSpring& spring, const Directions& along) {
-    if (spring.relaxes) {
-      add_relaxing(spring, along);
-      return;
-    }
-    const MatrixXd stiffness = root_of(spring.stiffness);
-    const MatrixXd damping = root_of(spring.damping);
-    const MatrixXd beyond = there(along.neighbours);
-    append(along.body * stiffness, found_.sprung);
-    append(beyond * stiffness, found_.sprung_there);
-    append(along.body * damping, found_.damped);
-    append(beyond * damping, found_.damped_there);
-  }
-  SwingingNeighbours take() { return std::move(found_); }
-
- private:
-  static MatrixXd none(Index rows) { return MatrixXd(rows, 0); }
-
-  /// @return its row.
-  Index add_motion() {
-    const Index own = found_.followed.rows();
-    for (MatrixXd* rows :
-         {&found_.followed, &found_.sprung_there, &found_.damped_there}) {
-      rows->conservativeResize(own + 1, Eigen::NoChange);
-      rows->bottomRows(1).setZero();
-    }
-    return own;
-  }
-  MatrixXd there(const MatrixXd& of_neighbours) const {
-    MatrixXd found =
-        MatrixXd::Zero(found_.followed.rows(), of_neighbours.cols());
-    found.topRows(motions_.cols()) = motions_.transpose() * of_neighbours;
-    return found;
-  }
-  void add_relaxing(const ElementSpring& spring, const Directions& along) {
-    const Index own = add_motion();
-    const double unit = 1.0 / std::sqrt(mass_between(spring));
-    const double stiffness = std::sqrt(spring.stiffness(0, 0));
-    const double damping = std::sqrt(spring.damping(0, 0));
-    MatrixXd stretched = there(along.neighbours);
-    stretched(own, 0) -= unit;
-    MatrixXd moved = MatrixXd::Zero(stretched.rows(), 1);
-    moved(own, 0) = unit;
-    append(stiffness * along.body, found_.sprung);
-    append(stiffness * stretched, found_.sprung_there);
-    append(MatrixXd::Zero(wrenches_, 1), found_.damped);
-    append(damping * moved, found_.damped_there);
-  }
-
-  Index wrenches_;
-  MatrixXd motions_;  ///< of the neighbours' unknowns
-  SwingingNeighbours found_;
-};
 
 }  // namespace
 
@@ -325,18 +224,18 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
       found.spin = following.transpose() * spins * following;
     }
   }
-  std::vector<Directions> turned;
+  std::vector<ElementDirections> turned;
   for (const auto& [element, place] : rotors) {
     turned.push_back(directions_of(neighbours, rows.x, *element,
                                    {levers_of(*element, rows.x)}, place,
                                    wrenches.rows()));
   }
-  append(
+  append_columns(
       weighed_by_rotors(neighbours, rows.x, rotors, turned, following, unseen),
       found.weighed);
-  std::vector<Directions> directions;
+  std::vector<ElementDirections> directions;
   for (const YieldingElement& element : yielding) {
-    const Directions& along = directions.emplace_back(directions_of(
+    const ElementDirections& along = directions.emplace_back(directions_of(
         neighbours, rows.x, *element.element, element.spring.directions,
         element.place, wrenches.rows()));
     if (element.spring.relaxes ||
@@ -346,8 +245,8 @@ NeighbourInertia neighbour_inertia(const Neighbours& neighbours,
       continue;
     }
     const MatrixXd felt = along.body + following.transpose() * along.neighbours;
-    append(felt * root_of(element.spring.stiffness), found.sprung);
-    append(felt * root_of(element.spring.damping), found.damped);
+    append_columns(felt * root_of(element.spring.stiffness), found.sprung);
+    append_columns(felt * root_of(element.spring.damping), found.damped);
   }
   if (!found.left_out.empty()) {
     SwingingForm swinging(neighbours, rows, wrenches);

@@ -7,22 +7,9 @@
 
 #include "mechanism/definition/motion.h"
 #include "mechanism/neighbours/neighbours.h"
+#include "mechanism/neighbours/swinging_form.h"
 
 namespace clevis::mechanism {
-
-/// Neighbours as they move by themselves, for springs that swing them in ways
-/// which the body does not feel: z'' = f of their motions z, with the rows
-///
-///     heldᵀ y + followedᵀ z = 0
-///
-/// of motions y at the places. S Sᵀ is the stiffness of y and z, S = (sprung;
-/// sprung_there).
-struct SwingingNeighbours {
-  Eigen::MatrixXd held;                ///< wrenches as below, × rows
-  Eigen::MatrixXd followed;            ///< z × rows [1/√kg]
-  Eigen::MatrixXd sprung{}, damped{};  ///< as below
-  Eigen::MatrixXd sprung_there{}, damped_there{};  ///< z × the same columns
-};
 
 /// What the rest of a mechanism does to small, fast motions of one of its
 /// bodies at an instant: its neighbours follow by their inertia or do not give

@@ -183,6 +183,7 @@ Quantities<DurationRatio> load_pace_rows() {
       quantity<S>({"impact", "/impact"}, &S::impact),
       quantity<S>({"duration", "/duration_s", "s"}, &S::duration),
       quantity<S>({"rise_time", "/rise_time_s", "s"}, &S::rise_time),
+      quantity<S>({"first_period", "/first_period_s", "s"}, &S::first_period),
       quantity<S>({"duration_ratio", "/duration_over_first_period", "1"},
                   &S::ratio),
       quantity<S>({"amplification", "/amplification", "1"}, &S::amplification),

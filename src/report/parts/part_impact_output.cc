@@ -168,7 +168,7 @@ std::string duration_ratios_text(const PartResult& part) {
         ": for {:.4g} ms, {:.3g} of its first period of {:.4g} ms{}; a mode "
         "answers {:.2f} times. {}\n",
         rated.duration / kMillisecond, rated.ratio,
-        part.first_period.value() / kMillisecond,
+        rated.first_period / kMillisecond,
         rated.rise_time > 0.0 ? fmt::format(", rising for {:.4g} ms",
                                             rated.rise_time / kMillisecond)
                               : "",
@@ -244,7 +244,6 @@ ordered_json duration_ratios_json(const PartResult& part) {
   ordered_json list = ordered_json::array();
   for (const DurationRatio& rated : part.duration_ratios) {
     list.push_back(quantities_json(rated, duration_ratio_quantities()));
-    list.back()["first_period_s"] = part.first_period.value();
   }
   return list;
 }

@@ -83,8 +83,8 @@ CLEVIS_PIPED(ImpactResult, name, source, mass, speed, force, stiffness,
              stress, band_low, band_high, root, deflection, deflection_low,
              deflection_high, deflection_at, deflection_time, safety_factor,
              reason, refinement, rows)
-CLEVIS_PIPED(DurationRatio, impact, duration, rise_time, ratio, amplification,
-             treatment)
+CLEVIS_PIPED(DurationRatio, impact, duration, rise_time, first_period, ratio,
+             amplification, treatment)
 CLEVIS_PIPED(VibrationResult, ratio, governs, failure, not_followed, peak,
              band_low, band_high, still, still_error, degree_error, shape_error,
              sampling_error, path_error, at, group, time, from, to, deflection,

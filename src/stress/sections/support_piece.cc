@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/algebra/append_columns.h"
 #include "elasticity/fe_space/group_trace.h"
 #include "part/supports.h"
 
@@ -30,18 +31,12 @@ struct Patch {
     groups.insert(other.groups.begin(), other.groups.end());
     nodes.insert(other.nodes.begin(), other.nodes.end());
     faces.insert(faces.end(), other.faces.begin(), other.faces.end());
-    append(other.trace.quadrature.points, trace.quadrature.points);
-    append(other.trace.outward, trace.outward);
+    append_columns(other.trace.quadrature.points, trace.quadrature.points);
+    append_columns(other.trace.outward, trace.outward);
     auto& weights = trace.quadrature.weights;
     const auto& more = other.trace.quadrature.weights;
     weights.conservativeResize(weights.size() + more.size());
     weights.tail(more.size()) = more;
-  }
-
- private:
-  static void append(const Matrix3Xd& more, Matrix3Xd& all) {
-    all.conservativeResize(3, all.cols() + more.cols());
-    all.rightCols(more.cols()) = more;
   }
 };
 

@@ -188,9 +188,10 @@ TEST(SeatShapes, RotorOnTheEndOfARod) {
   hold.spin = Eigen::MatrixXd::Zero(12, 12);
   hold.spin(10, 11) = h;  // θ' × h along x
   hold.spin(11, 10) = -h;
-  const auto shapes = periods.seat_shapes(elasticity::span_of({hold}), {});
+  const auto shapes = periods.seat_shapes(elasticity::span_of({hold}, {}), {});
   ASSERT_TRUE(shapes);
-  EXPECT_NEAR(shapes->first_period(hold) / periods.at(0.0), 1.0, 1e-4);
+  const double first = std::sqrt(shapes->held_by(hold).squares[0]);
+  EXPECT_NEAR(first * periods.at(0.0) / (2.0 * std::numbers::pi), 1.0, 1e-4);
   const auto moved = shapes->moved_by_spin(hold);
   const double down = frequency_of_rod(length, side, mass, turn, -h, 10, still);
   const double up = frequency_of_rod(length, side, mass, turn, h, still, 80);

@@ -1,0 +1,122 @@
+#include "assessment/stretches/excited_modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "assessment/pace/load_pace.h"
+#include "dynamics/load_vibration/response_spectrum.h"
+
+namespace clevis::assessment {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kCounts = 0.05;  // of the mode that answers most
+constexpr double kKept = 0.01;    // with another hold it may count
+
+bool has_all_of(const HeldModes& a, const HeldModes& b, double apart) {
+  return std::ranges::all_of(a.modes, [&](const ExcitedMode& one) {
+    return one.answer < kCounts ||
+           std::ranges::any_of(b.modes, [&](const ExcitedMode& other) {
+             return std::abs(one.period - other.period) <=
+                    apart * std::max(one.period, other.period);
+           });
+  });
+}
+
+VectorXd of_seats(const loads::InstantLoad& instant) {
+  constexpr Index kWrench = 6;
+  VectorXd all(kWrench * std::ssize(instant.wrenches));
+  for (std::size_t s = 0; s < instant.wrenches.size(); ++s) {
+    all.segment<kWrench>(kWrench * static_cast<Index>(s))
+        << instant.wrenches[s].force,
+        instant.wrenches[s].moment;
+  }
+  return all;
+}
+
+}  // namespace
+
+bool are_like(const HeldModes& a, const HeldModes& b, double apart) {
+  return has_all_of(a, b, apart) && has_all_of(b, a, apart);
+}
+
+MatrixXd extreme_changes(const loads::LoadHistory& motion) {
+  constexpr double kNothing = 1e-6;  // of the largest change
+  if (motion.instants.empty()) return {};
+  const VectorXd first = of_seats(motion.instants.front());
+  MatrixXd all(first.size(), std::ssize(motion.instants));
+  for (Index i = 0; i < all.cols(); ++i) {
+    all.col(i) = of_seats(motion.instants[static_cast<std::size_t>(i)]) - first;
+  }
+  const double largest = all.lpNorm<Eigen::Infinity>();
+  std::vector<Index> extremes;
+  for (Index row = 0; row < all.rows(); ++row) {
+    Index least = 0, most = 0;
+    if (-all.row(row).minCoeff(&least) > kNothing * largest) {
+      extremes.push_back(least);
+    }
+    if (all.row(row).maxCoeff(&most) > kNothing * largest) {
+      extremes.push_back(most);
+    }
+  }
+  std::ranges::sort(extremes);
+  extremes.erase(std::unique(extremes.begin(), extremes.end()), extremes.end());
+  return all(Eigen::all, extremes);
+}
+
+ExcitedModes::ExcitedModes(const PartJob& job, const LoadSet& motion,
+                           const elasticity::SeatShapes& shapes)
+    : shapes_(shapes),
+      path_(load_components(job, motion)),
+      damping_(job.part.damping),
+      changes_(shapes.along_seats(extreme_changes(motion.history))),
+      has_others_(std::ranges::any_of(motion.history.instants,
+                                      [](const loads::InstantLoad& instant) {
+                                        return !instant.surface_loads.empty();
+                                      })) {}
+
+double ExcitedModes::amplification(double period) {
+  constexpr double kStep = 0.02;  // as the width of a resonance
+  const auto [known, is_new] =
+      amplifications_.try_emplace(std::llround(std::log(period) / kStep));
+  if (is_new) {
+    const double there = std::exp(kStep * static_cast<double>(known->first));
+    known->second =
+        dynamics::response_spectrum(path_, VectorXd::Constant(1, there),
+                                    damping_, kPaceCounts)
+            .amplification;
+  }
+  return known->second;
+}
+
+HeldModes ExcitedModes::of(const loads::SeatHold& hold) {
+  constexpr Index kFirst = 6;
+  const auto vibrations = shapes_.held_by(hold);
+  const Index count = vibrations.squares.size();
+  const VectorXd periods =
+      2.0 * std::numbers::pi * vibrations.squares.cwiseSqrt().cwiseInverse();
+  VectorXd answers(count);
+  for (Index k = 0; k < count; ++k) {
+    const double bent = changes_.cols() > 0
+                            ? (vibrations.bending.col(k).transpose() * changes_)
+                                  .lpNorm<Eigen::Infinity>()
+                            : 0.0;
+    answers[k] = bent / std::sqrt(vibrations.squares[k]);
+    if (answers[k] > 0.0) answers[k] *= amplification(periods[k]);
+  }
+  const double most = answers.size() > 0 ? answers.maxCoeff() : 0.0;
+  answers /= most > 0.0 ? most : 1.0;
+  // Where other loads excite them they count as far as parts are soft.
+  if (has_others_) answers.head(std::min(kFirst, count)).setOnes();
+  HeldModes found{periods[0], {}};
+  for (Index k = 0; k < count; ++k) {
+    if (answers[k] >= kKept) found.modes.push_back({periods[k], answers[k]});
+  }
+  return found;
+}
+
+}  // namespace clevis::assessment

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "assessment/job/part_job.h"
+#include "dynamics/load_vibration/load_path.h"
+#include "elasticity/vibration/seat_shapes.h"
+#include "loads/history/load_history.h"
+
+namespace clevis::assessment {
+
+/// A vibration of a part as the mechanism holds and weighs it.
+struct ExcitedMode {
+  double period{};  ///< [s]
+  double answer{};  ///< to the loads, over that of the mode with the most [1]
+};
+
+/// Modes of a hold, and the first period whether loads excite it or not.
+struct HeldModes {
+  double first_period{};           ///< [s]
+  std::vector<ExcitedMode> modes;  ///< that count, the longest first
+};
+
+/// Whether two holds leave the same vibrations to the loads: those that count
+/// with one are among those of the other, periods less than a share apart [1].
+/// The first one of all says nothing of a link that bends in its plane, if that
+/// is across it.
+bool are_like(const HeldModes& a, const HeldModes& b, double apart);
+
+/// What the seats' loads of a motion change to: those instants at which a force
+/// or a moment of a seat is least or largest, less the first instant, 6 n ×
+/// columns [N], [N m].
+Eigen::MatrixXd extreme_changes(const loads::LoadHistory& motion);
+
+/// Which vibrations of a part the loads of its motion excite. A mode counts by
+/// what its share of the loads would bend it to at rest, times what an
+/// oscillator of its period answers to them.
+class ExcitedModes {
+ public:
+  /// @param motion  of followed_loads(). @param shapes  outlives the object.
+  ExcitedModes(const PartJob& job, const LoadSet& motion,
+               const elasticity::SeatShapes& shapes);
+
+  HeldModes of(const loads::SeatHold& hold);
+
+ private:
+  double amplification(double period);
+
+  const elasticity::SeatShapes& shapes_;
+  dynamics::LoadPath path_;
+  double damping_;
+  Eigen::MatrixXd changes_;                     ///< along the shapes' seats
+  bool has_others_;                             ///< loads that are not of seats
+  std::map<long long, double> amplifications_;  ///< by the period's logarithm
+};
+
+}  // namespace clevis::assessment
