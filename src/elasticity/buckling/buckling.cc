@@ -283,18 +283,6 @@ BucklingMode lowest_of_all(const StressedPart& part, TrialSpace& space) {
   }
 }
 
-/// Whether loads are left at the last instant that may push a part over:
-/// a lever that idles on after its loads have gone neither stands nor falls.
-bool acts_at_last(const StressedPart& part, const TrialSpace& space) {
-  constexpr double kNothing = 1e-4;  // of the motion's largest
-  const Index last = part.instants() - 1;
-  double largest = 0.0;
-  for (Index i = 0; i <= last; ++i) {
-    largest = std::max(largest, space.form_of_rigid(i).norm());
-  }
-  return space.form_of_rigid(last).norm() > kNothing * largest;
-}
-
 /// The instants with the largest sums are solved for, until none is left whose
 /// sum is larger than what they have together. @param enough  as of
 /// BucklingProblem.
@@ -378,9 +366,7 @@ BucklingMode lowest_buckling(const BucklingProblem& problem) {
   BucklingMode mode = lowest_of_all(part, space);
   const BucklingOnSprings springs(problem, part);
   mode.on_springs = on_springs(part, springs, space, problem.enough);
-  if (acts_at_last(part, space)) {
-    mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
-  }
+  mode.position = springs.position(space.form_of_rigid(part.instants() - 1));
   return mode;
 }
 

@@ -38,8 +38,8 @@ void LoadSampler::restart(double t, const VectorXd& y) {
   taken_.t = t;
   list_.get(equations_.system(), solution.multipliers,
             equations_.state().loads.forces, taken_.loads);
-  since_ = {taken_};
-  followed_.clear();
+  // Else loads go on from the end of the last step, with a bend or a jump.
+  if (since_.empty()) since_ = {taken_};
 }
 
 LoadSampler::Sample LoadSampler::at(numerics::Integrator& integrator,

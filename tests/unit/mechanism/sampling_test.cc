@@ -127,6 +127,43 @@ TEST(Sampling, SmallLoadsOfAnIntegratedMotionAreFollowed) {
   EXPECT_LT(motion.repeats.size(), 400u);
 }
 
+// A force over time of more corners than become instants, whose second half is
+// a fifth of the first: its small swings are followed over their corners.
+TEST(Sampling, CornersOfASmallLoadAreFollowed) {
+  constexpr int kPerPeriod = 12, kPeriods = 100;
+  constexpr double kFrequency = 100.0;  // [Hz]
+  TableLaw law;
+  for (int k = 0; k <= kPerPeriod * kPeriods; ++k) {
+    const double size = 2 * k < kPerPeriod * kPeriods ? 1.0 : 0.2;
+    law.times.push_back(k / (kPerPeriod * kFrequency));
+    law.efforts.push_back(size *
+                          std::sin(2.0 * std::numbers::pi * k / kPerPeriod));
+  }
+  MechanismDefinition m = testing::sliders({1.0});
+  m.elements = {testing::on_joint(0, law)};
+  const Motion motion = simulate(m, at_peaks(1.0, 5));
+  EXPECT_EQ(motion.followed_until, std::numeric_limits<double>::infinity());
+  std::vector<const Instant*> all;
+  for (const auto* list : {&motion.instants, &motion.repeats}) {
+    for (const Instant& at : *list) all.push_back(&at);
+  }
+  std::ranges::sort(all, {}, &Instant::t);
+  double missed = 0.0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const auto straight = [&](double t) {  // between corners
+      const auto k = static_cast<std::size_t>(kPerPeriod * kFrequency * t);
+      const double part =
+          (t - law.times[k]) / (law.times[k + 1] - law.times[k]);
+      return std::lerp(law.efforts[k], law.efforts[k + 1], part);
+    };
+    const double from = all[i - 1]->t, to = all[i]->t;
+    const double line = 0.5 * (straight(std::min(from, 0.9999)) +
+                               straight(std::min(to, 0.9999)));
+    missed = std::max(missed, std::abs(line - straight(0.5 * (from + to))));
+  }
+  EXPECT_LT(missed, 0.02);
+}
+
 // A body that falls has no load at all.
 TEST(Sampling, OfABodyWithoutJoints) {
   const Motion motion = simulate(testing::free_body(), at_peaks(1.0, 5));
