@@ -36,7 +36,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMillimetre = 1e-3;  // [m]
-// Error of integrals over splines [1]: at 1e-5 areas are off by 1 %.
+// Error of integrals over splines [1], which OpenCASCADE keeps where their
+// spans are alike; at 1e-5 areas were off by 1 %.
 constexpr double kOfArea = 1e-8, kOfVolume = 1e-6;
 
 Vector3d metres(const gp_Pnt& p) {

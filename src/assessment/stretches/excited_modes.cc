@@ -44,28 +44,33 @@ bool are_like(const HeldModes& a, const HeldModes& b, double apart) {
   return has_all_of(a, b, apart) && has_all_of(b, a, apart);
 }
 
-MatrixXd extreme_changes(const loads::LoadHistory& motion) {
+MatrixXd seat_changes(const loads::LoadHistory& motion) {
   constexpr double kNothing = 1e-6;  // of the largest change
-  if (motion.instants.empty()) return {};
+  constexpr Index kSome = 64, kVector = 3;
+  const Index count = std::ssize(motion.instants);
+  if (count == 0) return {};
   const VectorXd first = of_seats(motion.instants.front());
-  MatrixXd all(first.size(), std::ssize(motion.instants));
-  for (Index i = 0; i < all.cols(); ++i) {
+  MatrixXd all(first.size(), count);
+  for (Index i = 0; i < count; ++i) {
     all.col(i) = of_seats(motion.instants[static_cast<std::size_t>(i)]) - first;
   }
-  const double largest = all.lpNorm<Eigen::Infinity>();
-  std::vector<Index> extremes;
-  for (Index row = 0; row < all.rows(); ++row) {
-    Index least = 0, most = 0;
-    if (-all.row(row).minCoeff(&least) > kNothing * largest) {
-      extremes.push_back(least);
-    }
-    if (all.row(row).maxCoeff(&most) > kNothing * largest) {
-      extremes.push_back(most);
-    }
+  std::vector<Index> taken;
+  for (Index k = 0; k < std::min(kSome, count); ++k) {
+    taken.push_back(count <= kSome ? k : k * (count - 1) / (kSome - 1));
   }
-  std::ranges::sort(extremes);
-  extremes.erase(std::unique(extremes.begin(), extremes.end()), extremes.end());
-  return all(Eigen::all, extremes);
+  for (Index row = 0; row < all.rows(); row += kVector) {
+    Index most = 0;
+    all.middleRows(row, kVector).colwise().norm().maxCoeff(&most);
+    taken.push_back(most);
+  }
+  const VectorXd size = all.colwise().norm();
+  const double largest = size.maxCoeff();
+  std::erase_if(taken, [&](Index i) {
+    return !(size[i] > kNothing * largest);
+  });
+  std::ranges::sort(taken);
+  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
+  return all(Eigen::all, taken);
 }
 
 ExcitedModes::ExcitedModes(const PartJob& job, const LoadSet& motion,
@@ -73,7 +78,7 @@ ExcitedModes::ExcitedModes(const PartJob& job, const LoadSet& motion,
     : shapes_(shapes),
       path_(load_components(job, motion)),
       damping_(job.part.damping),
-      changes_(shapes.along_seats(extreme_changes(motion.history))),
+      changes_(shapes.along_seats(seat_changes(motion.history))),
       has_others_(std::ranges::any_of(motion.history.instants,
                                       [](const loads::InstantLoad& instant) {
                                         return !instant.surface_loads.empty();
@@ -95,26 +100,34 @@ double ExcitedModes::amplification(double period) {
 
 HeldModes ExcitedModes::of(const loads::SeatHold& hold) {
   constexpr Index kFirst = 6;
+  constexpr double kRoundOff = 1e-12;  // of squares: no vibration
   const auto vibrations = shapes_.held_by(hold);
   const Index count = vibrations.squares.size();
+  const VectorXd squares =
+      vibrations.squares.cwiseMax(kRoundOff * vibrations.squares.maxCoeff());
   const VectorXd periods =
-      2.0 * std::numbers::pi * vibrations.squares.cwiseSqrt().cwiseInverse();
+      2.0 * std::numbers::pi * squares.cwiseSqrt().cwiseInverse();
   VectorXd answers(count);
   for (Index k = 0; k < count; ++k) {
     const double bent = changes_.cols() > 0
                             ? (vibrations.bending.col(k).transpose() * changes_)
                                   .lpNorm<Eigen::Infinity>()
                             : 0.0;
-    answers[k] = bent / std::sqrt(vibrations.squares[k]);
+    answers[k] = bent / std::sqrt(squares[k]);
     if (answers[k] > 0.0) answers[k] *= amplification(periods[k]);
   }
   const double most = answers.size() > 0 ? answers.maxCoeff() : 0.0;
   answers /= most > 0.0 ? most : 1.0;
   // Where other loads excite them they count as far as parts are soft.
   if (has_others_) answers.head(std::min(kFirst, count)).setOnes();
+  // Few shapes have those far above the first that counts only roughly.
+  constexpr double kShortest = 0.1;
   HeldModes found{periods[0], {}};
+  double longest = 0.0;
   for (Index k = 0; k < count; ++k) {
-    if (answers[k] >= kKept) found.modes.push_back({periods[k], answers[k]});
+    if (answers[k] < kKept || periods[k] < kShortest * longest) continue;
+    found.modes.push_back({periods[k], answers[k]});
+    if (longest == 0.0 && answers[k] >= kCounts) longest = periods[k];
   }
   return found;
 }

@@ -30,10 +30,10 @@ struct HeldModes {
 /// is across it.
 bool are_like(const HeldModes& a, const HeldModes& b, double apart);
 
-/// What the seats' loads of a motion change to: those instants at which a force
-/// or a moment of a seat is least or largest, less the first instant, 6 n ×
-/// columns [N], [N m].
-Eigen::MatrixXd extreme_changes(const loads::LoadHistory& motion);
+/// By what the seats' loads of a motion differ from those at its first instant:
+/// at so many instants as show it, and where a seat's force or moment differs
+/// most, 6 n × columns [N], [N m]. In whatever frame they are the same ones.
+Eigen::MatrixXd seat_changes(const loads::LoadHistory& motion);
 
 /// Which vibrations of a part the loads of its motion excite. A mode counts by
 /// what its share of the loads would bend it to at rest, times what an

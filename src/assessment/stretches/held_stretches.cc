@@ -31,8 +31,9 @@ bool are_like(double shortest, double longest) {
 std::vector<std::vector<std::size_t>> alike(
     const std::vector<HeldModes>& modes, const std::vector<std::size_t>& at) {
   constexpr std::size_t kMost = 8;
-  for (double apart = kLike;; apart *= 2.0) {
-    std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::vector<std::size_t>> groups;
+  for (double apart = kLike; apart < 2.0; apart *= 2.0) {  // 1: any period
+    groups.clear();
     for (const std::size_t i : at) {
       const auto like = std::ranges::find_if(groups, [&](const auto& group) {
         return are_like(modes[group.front()], modes[i], apart);
@@ -42,10 +43,10 @@ std::vector<std::vector<std::size_t>> alike(
       } else {
         groups.push_back({i});
       }
-      if (groups.size() > kMost) break;
     }
-    if (groups.size() <= kMost) return groups;
+    if (groups.size() <= kMost) break;
   }
+  return groups;
 }
 
 /// Times that are nearer to an instant than to others.
@@ -228,8 +229,7 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   const bool may_be_sprung =
       std::ranges::any_of(holds, &loads::SeatHold::is_sprung);
   if (!may_be_sprung && !change() && !spins(fastest)) return;
-  const MatrixXd wrenches =
-      elasticity::span_of(holds, extreme_changes(history));
+  const MatrixXd wrenches = elasticity::span_of(holds, seat_changes(history));
   make_solvers(motion);
   std::optional<elasticity::SeatShapes> shapes;
   for (auto& solver : motion.solvers) {
@@ -419,6 +419,7 @@ std::size_t HeldMotions::most_excited(
     const PeriodsOf& periods) const {
   // Of the time that is driven: where it dwells it is looked at there.
   constexpr int kLooks = 16;
+  constexpr double kRoundOff = 1e-6;
   const auto& instants = motion.loads.history.instants;
   std::vector<double> until;
   double sum = 0.0;
@@ -440,7 +441,8 @@ std::size_t HeldMotions::most_excited(
     const double answer = dynamics::response_spectrum(
                               path, periods(i), job_.part.damping, kPaceCounts)
                               .amplification;
-    if (!(answer > most)) continue;
+    if (!(answer > (1.0 + kRoundOff) * most))
+      continue;  // of like ones the first
     most = answer;
     worst = i;
   }

@@ -188,7 +188,9 @@ std::vector<SeatShapes::Moved> SeatShapes::moved_by_spin(
 
 MatrixXd span_of(const std::vector<loads::SeatHold>& holds,
                  const MatrixXd& loads) {
-  MatrixXd all = unit_columns(loads);
+  constexpr double kLeast = 1e-12;  // of a column's square
+  constexpr double kClear = 1e-4;   // likewise: less is round-off of holds
+  MatrixXd all(holds.front().held.rows(), 0);
   for (const loads::SeatHold& hold : holds) {
     std::vector<const MatrixXd*> some = {&hold.held, &hold.weighed,
                                          &hold.sprung, &hold.damped};
@@ -199,16 +201,25 @@ MatrixXd span_of(const std::vector<loads::SeatHold>& holds,
     }
     for (const MatrixXd* wrenches : some) {
       const MatrixXd more = unit_columns(*wrenches);
-      if (more.cols() == 0) continue;
-      append_columns(more, all);
+      if (more.cols() > 0) append_columns(more, all);
     }
   }
-  if (all.cols() == 0) return all;
-  constexpr double kLeast = 1e-12;  // of a column's square
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(all * all.transpose());
-  const VectorXd& values = solver.eigenvalues();
-  const Index kept = (values.array() > kLeast * values.maxCoeff()).count();
-  return solver.eigenvectors().rightCols(kept);
+  MatrixXd span(all.rows(), 0);
+  if (all.cols() > 0) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(all * all.transpose());
+    const VectorXd& values = solver.eigenvalues();
+    const Index kept = (values.array() > kLeast * values.maxCoeff()).count();
+    span = solver.eigenvectors().rightCols(kept);
+  }
+  if (loads.cols() > 0) {
+    MatrixXd beyond = unit_columns(loads);
+    beyond -= span * (span.transpose() * beyond);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(beyond *
+                                                         beyond.transpose());
+    const Index kept = (solver.eigenvalues().array() > kClear).count();
+    append_columns(solver.eigenvectors().rightCols(kept), span);
+  }
+  return span;
 }
 
 }  // namespace clevis::elasticity
