@@ -36,8 +36,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kMillimetre = 1e-3;  // [m]
-// Error of integrals over splines [1], which OpenCASCADE keeps where their
-// spans are alike; at 1e-5 areas were off by 1 %.
+// Error of integrals over splines [1], which OpenCASCADE does not keep
+// everywhere.
 constexpr double kOfArea = 1e-8, kOfVolume = 1e-6;
 
 Vector3d metres(const gp_Pnt& p) {
@@ -239,7 +239,7 @@ cad::Solid describe(const TopoDS_Solid& solid,
   GProp_GProps volume;
   if (all_exact) {
     BRepGProp::VolumeProperties(solid, volume);
-  } else {  // by Gauss and Kronrod: the other method is off by 2 %
+  } else {  // by Gauss and Kronrod: the other method errs more
     BRepGProp::VolumePropertiesGK(solid, volume, kOfVolume);
   }
   result.volume = std::pow(kMillimetre, 3) * volume.Mass();

@@ -140,8 +140,8 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
 /// the face.
 /// @return the largest size on it [mm].
 double MeshSizes::add_bends(const TopoDS_Face& face, double turn) {
-  // Cells follow a spline by parabolas: over an eighth of a turn these kink by
-  // 12 degrees, which looks like a notch, over half of that by 1.5.
+  // Cells follow a spline by parabolas, which kink; over as much of a turn as
+  // on a cylinder, which is exact, that looks like a notch.
   constexpr double kLocal = 0.8, kOfTurn = 0.5;
   const BendSizes bends = bend_sizes(face, turn, largest_);
   for (const auto& [at, size] : bends.places) {
