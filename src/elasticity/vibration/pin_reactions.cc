@@ -7,6 +7,7 @@
 
 #include <Eigen/QR>
 
+#include "base/algebra/append_columns.h"
 #include "base/messages/errors.h"
 #include "dynamics/systems/block_krylov.h"
 #include "elasticity/algebra/dense_product.h"
@@ -159,8 +160,7 @@ PinReactions<dim>::PinReactions(const VibratingPart<dim>& part,
         pressure_derivative(discretization, seat, *largest, *radius, part_name);
     if (!pressure) continue;
     const Index begin = kComponents * static_cast<Index>(s) + kForces;
-    forces.conservativeResize(Eigen::NoChange, forces.cols() + kMoments);
-    forces.rightCols(kMoments) = *pressure - means.middleCols(begin, kMoments);
+    append_columns(*pressure - means.middleCols(begin, kMoments), forces);
     for (Index k = 0; k < kMoments; ++k) pressed.push_back(begin + k);
   }
   if (pressed.empty()) return;
