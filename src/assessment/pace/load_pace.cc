@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "assessment/pace/acting_forces.h"
 #include "loads/history/motion_instants.h"
 
 namespace clevis::assessment {
@@ -69,57 +70,24 @@ dynamics::LoadPath::Between between_instants(const LoadSet& set) {
                           : dynamics::LoadPath::Between::kCubic;
 }
 
-VectorXd acting_forces(const loads::InstantLoad& instant, double mass,
-                       double size) {
-  std::vector<double> all;
-  const auto put = [&](const loads::Wrench& wrench) {
-    all.insert(all.end(), wrench.force.begin(), wrench.force.end());
-    for (const double moment : wrench.moment) all.push_back(moment / size);
-  };
-  for (const loads::Wrench& wrench : instant.wrenches) put(wrench);
-  for (const auto& load : instant.surface_loads) {
-    put(load.resultant);
-    all.push_back(load.total);
-  }
-  const loads::RigidAcceleration& rigid = instant.rigid;
-  for (int k = 0; k < 3; ++k) {
-    all.push_back(mass * rigid.acceleration[k]);
-    all.push_back(mass * size * rigid.alpha[k]);
-    for (int i = 0; i <= k; ++i) {
-      all.push_back(mass * size * rigid.omega[i] * rigid.omega[k]);
-    }
-  }
-  return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
-}
-
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion) {
   constexpr double kNothing = 1e-6, kRoundOff = 1e-8;
   const auto& instants = motion.history.instants;
   const auto length = static_cast<Index>(instants.size());
   if (length < 2) return {VectorXd(0), MatrixXd(0, 0), 0.0};
-  const double size = job.sides()[2];
-  const double mass = job.mass.mass;
-  MatrixXd forces(acting_forces(instants.front(), mass, size).size(), length);
-  VectorXd time(length);
-  for (Index i = 0; i < length; ++i) {
-    const auto& instant = instants[static_cast<std::size_t>(i)];
-    forces.col(i) = acting_forces(instant, mass, size);
-    time[i] = instant.time;
-  }
+  const ActingForces acting(job, motion);
+  MatrixXd forces = acting.values();
   const double largest = forces.lpNorm<Eigen::Infinity>();
   // What stands still excites nothing, however large beside what changes.
   forces.colwise() -= VectorXd(forces.col(0));
-  const VectorXd change = forces.rowwise().lpNorm<Eigen::Infinity>();
-  const double least =
-      std::max(kNothing * change.maxCoeff(), kRoundOff * largest);
-  std::vector<Index> counting;
-  for (Index k = 0; k < change.size(); ++k) {
-    if (change[k] > least) counting.push_back(k);
-  }
-  MatrixXd components(static_cast<Index>(counting.size()), length);
-  for (Index k = 0; k < components.rows(); ++k) {
-    const Index row = counting[static_cast<std::size_t>(k)];
-    components.row(k) = forces.row(row) / change[row];
+  const double change = forces.lpNorm<Eigen::Infinity>();
+  MatrixXd components = acting.along_own_axes(
+      forces, std::max(kNothing * change, kRoundOff * largest));
+  components.array().colwise() /=
+      components.rowwise().lpNorm<Eigen::Infinity>().array();
+  VectorXd time(length);
+  for (Index i = 0; i < length; ++i) {
+    time[i] = instants[static_cast<std::size_t>(i)].time;
   }
   return {time, components,
           loads::kEventSides * loads::motion_duration(motion.history),

@@ -26,18 +26,13 @@ LoadSet followed_loads(const LoadSet& set);
 /// How loads go on from one instant to the next.
 dynamics::LoadPath::Between between_instants(const LoadSet& set);
 
-/// Forces, and moments over the size, that act on the surface and, of a mass in
-/// the part's far corner, by inertia [N].
-/// @param mass  [kg]. @param size  [m].
-Eigen::VectorXd acting_forces(const loads::InstantLoad& instant, double mass,
-                              double size);
-
 /// Components of the forces and moments on the part's surface and of those of
 /// its inertia over the motion, less those at its start, each over its largest
-/// change. Each counts by itself, for a small force across a part may stress it
-/// hundreds of times more than a large one along it, and at its frequency
-/// hundreds of times again; one that changes by less than a millionth of the
-/// largest change does not.
+/// change. Those of a vector are along its own axes (acting_forces.h), so that
+/// the part's frame counts for nothing. Each counts by itself, for a small
+/// force across a part may stress it hundreds of times more than a large one
+/// along it, and at its frequency hundreds of times again; one that changes by
+/// less than a millionth of the largest change does not.
 /// @param motion  of motion_loads or followed_loads.
 dynamics::LoadPath load_components(const PartJob& job, const LoadSet& motion);
 

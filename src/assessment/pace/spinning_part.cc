@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "assessment/pace/acting_forces.h"
 #include "assessment/pace/load_pace.h"
 #include "assessment/verdict/governing_peak.h"
 #include "loads/history/turning_loads.h"
@@ -173,23 +174,18 @@ bool stand_in_space(const PartJob& job, const LoadSet& motion, double first) {
   if (uneven_swing(job, share) > kPaceCounts - 1.0) return false;
   const LoadSet in_space = loads_in_space(job, motion);
   // Without what holds the part together as it spins, which dwarfs the rest.
-  const auto forces = [&](const LoadSet& set, std::size_t i) {
-    loads::InstantLoad instant = set.history.instants[i];
-    instant.rigid.omega.setZero();
-    return acting_forces(instant, job.mass.mass, job.sides()[2]);
+  const auto forces = [&](LoadSet set) {
+    for (auto& instant : set.history.instants) instant.rigid.omega.setZero();
+    return ActingForces(job, set).values();
   };
-  const VectorXd start = forces(motion, 0),
-                 start_in_space = forces(in_space, 0);
-  double largest = 0.0, change = 0.0, change_in_space = 0.0;
-  for (std::size_t i = 0; i < motion.history.instants.size(); ++i) {
-    const VectorXd here = forces(motion, i);
-    largest = std::max(largest, here.lpNorm<Eigen::Infinity>());
-    change = std::max(change, (here - start).lpNorm<Eigen::Infinity>());
-    change_in_space = std::max(
-        change_in_space,
-        (forces(in_space, i) - start_in_space).lpNorm<Eigen::Infinity>());
+  const auto change = [](const MatrixXd& values) {
+    return (values.colwise() - values.col(0)).lpNorm<Eigen::Infinity>();
+  };
+  const MatrixXd here = forces(motion);
+  if (change(forces(in_space)) <=
+      kStill * change(here) + kRoundOff * here.lpNorm<Eigen::Infinity>()) {
+    return true;
   }
-  if (change_in_space <= kStill * change + kRoundOff * largest) return true;
   return load_spectrum(job, load_components(job, in_space), first)
              .amplification <= kPaceCounts;
 }

@@ -120,6 +120,76 @@ TEST(LoadPace, OscillatorsNearTheFirstMeetTheLoad) {
               0.01 * beside);
 }
 
+/// The loads and the mass in a frame turned by `turn` and moved by `shift`.
+PartJob seen_from(PartJob job, const Eigen::Matrix3d& turn,
+                  const Vector3d& shift) {
+  job.mass.p_LCm = turn * job.mass.p_LCm + shift;
+  for (auto& instant : job.load_sets.front().history.instants) {
+    for (auto& wrench : instant.wrenches) {
+      wrench = {turn * wrench.force, turn * wrench.moment};
+    }
+    for (auto& load : instant.surface_loads) {
+      auto& [force, moment] = load.resultant;
+      force = turn * force;
+      moment = turn * moment + shift.cross(force);
+    }
+    auto& rigid = instant.rigid;
+    rigid.alpha = turn * rigid.alpha;
+    rigid.omega = turn * rigid.omega;
+    rigid.acceleration = turn * rigid.acceleration - rigid.alpha.cross(shift) -
+                         rigid.omega.cross(rigid.omega.cross(shift));
+  }
+  return job;
+}
+
+// Components are along axes of the loads: the part's frame counts for nothing.
+TEST(LoadPace, ComponentsAreThoseOfAnyFrame) {
+  PartJob job = bar(transit());
+  auto& instants = job.load_sets.front().history.instants;
+  instants.clear();
+  for (int i = 0; i <= 40; ++i) {
+    const double t = 0.1 * i;
+    loads::InstantLoad instant = pulled(t * transit(), std::sin(t));
+    instant.wrenches = {{{std::sin(t), 0.1 * std::cos(3.0 * t), 0.01 * t * t},
+                         {t, std::exp(-t), 0.0}}};
+    loads::SurfaceLoad pressed;
+    pressed.resultant = {Vector3d(0.0, t, 1.0), Vector3d(std::sin(t), 0.0, t)};
+    pressed.total = t;
+    instant.surface_loads = {pressed};
+    instant.rigid.acceleration = Vector3d(std::cos(t), t, 0.0);
+    instant.rigid.alpha = Vector3d(0.0, t, std::sin(2.0 * t));
+    instant.rigid.omega = Vector3d(std::sin(t), 1.0, 0.3 * t);
+    instants.push_back(instant);
+  }
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.0, Vector3d(1.0, -2.0, 0.5).normalized())
+          .toRotationMatrix();
+  const auto components = [](const PartJob& one) {
+    return load_components(one, one.load_sets.front()).values();
+  };
+  const Eigen::MatrixXd here = components(job);
+  EXPECT_GT(here.rows(), 18);
+  const Eigen::Matrix3d mirrored = turn * Vector3d(1.0, -1.0, 1.0).asDiagonal();
+  const Eigen::MatrixXd there =
+      components(seen_from(job, turn, Vector3d(0.1, -0.2, 0.05)));
+  ASSERT_EQ(there.rows(), here.rows());
+  EXPECT_LT((there.cwiseAbs() - here.cwiseAbs()).lpNorm<Eigen::Infinity>(),
+            1e-9);
+  // Moments and turns are mirrored with the other sign.
+  PartJob twin = job;
+  for (auto& instant : twin.load_sets.front().history.instants) {
+    for (auto& wrench : instant.wrenches) wrench.moment *= -1.0;
+    for (auto& load : instant.surface_loads) load.resultant.moment *= -1.0;
+    instant.rigid.alpha *= -1.0;
+    instant.rigid.omega *= -1.0;
+  }
+  const Eigen::MatrixXd in_mirror =
+      components(seen_from(twin, mirrored, Vector3d::Zero()));
+  ASSERT_EQ(in_mirror.rows(), here.rows());
+  EXPECT_LT((in_mirror.cwiseAbs() - here.cwiseAbs()).lpNorm<Eigen::Infinity>(),
+            1e-9);
+}
+
 // What stands still in the same component hides nothing either.
 TEST(LoadPace, ChangesCountBesideWhatStandsStill) {
   for (const double preload : {0.0, 1e3}) {
