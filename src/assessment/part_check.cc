@@ -204,7 +204,8 @@ void note_left_out(const PartJob& job,
   }
   for (const LoadSet& set : job.load_sets) {
     if (!set.history.hold || !set.fixed.empty()) continue;
-    const auto names = set.history.hold(set.history.hold_time).left_out;
+    const auto names =
+        set.history.hold_that_lasts(set.history.hold_time).left_out;
     if (names.empty()) continue;
     result.notes.push_back(fmt::format(
         "it moves, and {}, which swing{} other bodies of the mechanism by "

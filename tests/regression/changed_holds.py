@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A bar 24 mm high and 8 mm thick whose mechanism holds it otherwise in the course of its
 motion, in its plane alone, where its first vibration of all, across it, does not change:
-spring or brake at first, a sine at the frequency without them later. Against twins whose
-same forces are tables over time.
+spring or brake at first, a sine at the frequency without them later, against twins whose
+same forces are tables over time; a stop that it comes to, against a spring.
 
     changed_holds.py CLEVIS
 """
@@ -111,6 +111,19 @@ def braked(folder, brake):
 damping = 0.005""", 0.07, 71)
 
 
+def stopped(folder, stop):
+    """It comes to a stop and is pressed on it harder than it swings."""
+    push = """[[initial]]
+joint = "A"
+position = "-1e-6 rad"
+rate = "0 rad/s"
+""" + table("push", [0.0, 0.01, 1.0], [5.0, 400.0, 400.0], 'joint = "A"\n', "N m")
+    return scene(folder, push + sine("sine", 36.0, 198.0, 0.03, 0.055) + stop,
+                 """forces = { sine = { face = "bore_B" }, push = { face = "bore_A" }, \
+stop = { face = "bore_A" } }
+damping = 0.01""", 0.06, 61)
+
+
 def checked(write, force):
     with tempfile.TemporaryDirectory() as name:
         found = support.check(sys.argv[1], write(Path(name), force), "--mesh",
@@ -150,6 +163,11 @@ def main():
             'breakaway = "36 N m"\nkinetic = "3 N m"\n',
             table("brake", [0.0, 0.04, 0.0405, 0.0405, 0.1],
                   [-34.5, -34.5, -36.0, -3.0, -3.0], 'joint = "A"\n', "N m"), 3.0)
+    compare("stop that it comes to", stopped,
+            '[[force]]\nname = "stop"\ntype = "stop"\njoint = "A"\nupper = "0 rad"\n'
+            'stiffness = "1e6 N m/rad"\ndamping = "100 N m s/rad"\n',
+            '[[force]]\nname = "stop"\ntype = "spring"\njoint = "A"\nfree = "0 rad"\n'
+            'stiffness = "1e6 N m/rad"\ndamping = "100 N m s/rad"\n', 3.0)
 
 
 if __name__ == "__main__":

@@ -106,10 +106,20 @@ void merge(loads::LoadHistory& history, const loads::LoadHistory& more) {
     widen(instant);
     complete(instant);
   }
-  if (history.hold && history.seats.size() > old_seats) {
-    history.hold = [hold = history.hold,
-                    seats = history.seats.size()](double time) {
+  const std::size_t seats = history.seats.size();
+  if (seats == old_seats) return;
+  for (auto* hold : {&history.hold, &history.lasting_hold}) {
+    if (!*hold) continue;
+    *hold = [hold = *hold, seats](double time) {
       return loads::on_more_seats(hold(time), seats);
+    };
+  }
+  if (history.hold_at_rest) {
+    history.hold_at_rest = [hold = history.hold_at_rest, seats](
+                               double time) -> std::optional<loads::SeatHold> {
+      auto at_rest = hold(time);
+      if (!at_rest) return std::nullopt;
+      return loads::on_more_seats(std::move(*at_rest), seats);
     };
   }
 }

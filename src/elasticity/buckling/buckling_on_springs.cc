@@ -103,8 +103,8 @@ bool BucklingOnSprings::is_sprung(Index instant) const {
 }
 
 loads::SeatHold BucklingOnSprings::hold_at(Index instant) const {
-  loads::SeatHold hold =
-      history_.hold(history_.instants[static_cast<std::size_t>(instant)].time);
+  loads::SeatHold hold = history_.hold_that_lasts(
+      history_.instants[static_cast<std::size_t>(instant)].time);
   // In a motion bodies on springs are not at rest between them.
   return stands_ ? loads::held_slowly(std::move(hold)) : hold;
 }

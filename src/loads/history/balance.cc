@@ -120,10 +120,10 @@ void require_cylinder(const GroupGeometry& group, const std::string& place) {
   throw Error(
       "L002", place,
       fmt::format("a pin cannot press on \"{}\": it is not a circular "
-                  "cylinder",
+                  "cylinder called bore_* or round_*",
                   group.name),
-      "Give a bore_* or round_* group, or load the surface otherwise: in "
-      "a history by `faces`, in a case by `traction`.");
+      "Call a cylinder so, or load the surface otherwise: in a history by "
+      "`faces`, in a case by `traction`.");
 }
 
 std::string vector_text(const Vector3d& v, double scale) {

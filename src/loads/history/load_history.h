@@ -112,7 +112,7 @@ struct SeatHold {
   std::optional<SwingingBodies> swinging = std::nullopt;
   /// Names of these force elements.
   std::vector<std::string> left_out = {};
-  /// Force elements press that let go at other times: they are left out, too.
+  /// Contacts or stops press that let go at other times.
   bool is_pressed_meanwhile = false;
 
   bool is_sprung() const { return sprung.cols() > 0 || swinging; }
@@ -139,7 +139,10 @@ struct LoadHistory {
   /// Of the part in its mechanism, at the instant next to a time [s]; empty: it
   /// is free.
   std::function<SeatHold(double)> hold = {};
-  /// The same of a mechanism at rest, whose friction breaks away and whose gas
+  /// The same without contacts and stops that let go at other times: what
+  /// stands on those may lift off. Empty: the same.
+  std::function<SeatHold(double)> lasting_hold = {};
+  /// That of a mechanism at rest, whose friction breaks away and whose gas
   /// flows; absent: nothing yields otherwise.
   std::function<std::optional<SeatHold>(double)> hold_at_rest = {};
   /// When it counts: the loads are largest then [s].
@@ -159,6 +162,10 @@ struct LoadHistory {
   /// Notes for the user on how the seats were modelled, a line each.
   std::vector<std::string> notes = {};
 
+  /// By what presses always. @pre `hold`.
+  SeatHold hold_that_lasts(double time) const {
+    return lasting_hold ? lasting_hold(time) : hold(time);
+  }
   /// When it counts. @pre `hold`.
   SeatHold hold_that_counts() const {
     SeatHold counting = hold(hold_time);

@@ -25,18 +25,75 @@ bool lets_go(const mechanism::Instant& instant, std::size_t element) {
          instant.elements[element].effort == 0.0;
 }
 
+void leave_out(const std::vector<std::size_t>& elements,
+               mechanism::Neighbours& neighbours) {
+  for (const std::size_t e : elements) neighbours.leave_out(e);
+}
+
 }  // namespace
+
+class NeighboursOverMotion::Holder {
+ public:
+  /// @param definition  outlives the object.
+  Holder(const mechanism::MechanismDefinition& definition,
+         mechanism::BodyIndex body, Elements left_out)
+      : definition_(definition),
+        body_(body),
+        left_out_(std::move(left_out)),
+        neighbours_(definition_, body) {
+    leave_out(left_out_, neighbours_);
+  }
+
+  const mechanism::Neighbours& neighbours() const { return neighbours_; }
+  /// With the friction that sticks at the instant.
+  const mechanism::Neighbours& at(const mechanism::Instant& instant) {
+    const auto sticking = mechanism::sticking_coordinates(definition_, instant);
+    if (sticking.empty()) return neighbours_;
+    Coordinates coordinates;
+    for (const auto& one : sticking) {
+      coordinates.emplace_back(one.joint, one.coordinate);
+    }
+    auto& found = stuck_[coordinates];
+    if (!found) {
+      mechanism::MechanismDefinition held = definition_;
+      held.drives.insert(held.drives.end(), sticking.begin(), sticking.end());
+      found = std::make_unique<Stuck>(std::move(held), body_);
+      leave_out(left_out_, found->neighbours);
+    }
+    return found->neighbours;
+  }
+
+  std::map<std::size_t, SeatHold> known;  ///< by place
+
+ private:
+  using Coordinates = std::vector<std::pair<int, int>>;  ///< of joints
+  /// A mechanism with some friction that sticks.
+  struct Stuck {
+    Stuck(mechanism::MechanismDefinition given, mechanism::BodyIndex body)
+        : definition(std::move(given)), neighbours(definition, body) {}
+
+    mechanism::MechanismDefinition definition;
+    mechanism::Neighbours neighbours;
+  };
+
+  const mechanism::MechanismDefinition& definition_;
+  mechanism::BodyIndex body_;
+  Elements left_out_;
+  mechanism::Neighbours neighbours_;
+  std::map<Coordinates, std::unique_ptr<Stuck>> stuck_;
+};
 
 NeighboursOverMotion::NeighboursOverMotion(
     const mechanism::MechanismDefinition& definition, mechanism::BodyIndex body,
     std::vector<Seat> seats, std::vector<mechanism::LoadPlace> acting,
     std::vector<Place> places, double wanted)
     : definition_(definition),
-      neighbours_(definition_, body),
+      body_(body),
       seats_(std::move(seats)),
       acting_(std::move(acting)),
       places_(std::move(places)),
-      wanted_(wanted) {
+      wanted_(wanted),
+      all_(std::make_unique<Holder>(definition_, body, Elements{})) {
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
     if (properties(definition_.elements[e]).presses &&
         std::ranges::any_of(places_, [&](const Place& place) {
@@ -45,47 +102,18 @@ NeighboursOverMotion::NeighboursOverMotion(
       letting_go_.push_back(e);
     }
   }
-  leave_out_what_lets_go(neighbours_);
+  if (!letting_go_.empty()) {
+    lasting_ = std::make_unique<Holder>(definition_, body, letting_go_);
+  }
 }
 
 NeighboursOverMotion::~NeighboursOverMotion() = default;
-
-void NeighboursOverMotion::leave_out_what_lets_go(
-    mechanism::Neighbours& neighbours) const {
-  for (const std::size_t e : letting_go_) neighbours.leave_out(e);
-}
 
 bool NeighboursOverMotion::presses_meanwhile(
     const mechanism::Instant& instant) const {
   return std::ranges::any_of(letting_go_, [&](std::size_t e) {
     return !lets_go(instant, e);
   });
-}
-
-struct NeighboursOverMotion::Stuck {
-  Stuck(mechanism::MechanismDefinition given, mechanism::BodyIndex body)
-      : definition(std::move(given)), neighbours(definition, body) {}
-
-  mechanism::MechanismDefinition definition;
-  mechanism::Neighbours neighbours;
-};
-
-const mechanism::Neighbours& NeighboursOverMotion::held_at(
-    const mechanism::Instant& instant) {
-  const auto sticking = mechanism::sticking_coordinates(definition_, instant);
-  if (sticking.empty()) return neighbours_;
-  Coordinates coordinates;
-  for (const auto& one : sticking) {
-    coordinates.emplace_back(one.joint, one.coordinate);
-  }
-  auto& found = stuck_[coordinates];
-  if (!found) {
-    mechanism::MechanismDefinition held = definition_;
-    held.drives.insert(held.drives.end(), sticking.begin(), sticking.end());
-    found = std::make_unique<Stuck>(std::move(held), neighbours_.slot() - 1);
-    leave_out_what_lets_go(found->neighbours);
-  }
-  return found->neighbours;
 }
 
 std::size_t NeighboursOverMotion::place_next_to(double time) const {
@@ -104,23 +132,31 @@ SeatHold NeighboursOverMotion::hold_by(const mechanism::Neighbours& neighbours,
   return hold;
 }
 
-SeatHold NeighboursOverMotion::hold(double time) {
+SeatHold NeighboursOverMotion::hold_of(Holder& holder, double time) {
   const std::size_t next = place_next_to(time);
   const std::scoped_lock lock(mutex_);
-  const auto [hold, is_new] = holds_.try_emplace(next);
+  const auto [hold, is_new] = holder.known.try_emplace(next);
   if (is_new) {
     const Place& place = places_[next];
-    hold->second = hold_by(held_at(place.instant), place);
+    hold->second = hold_by(holder.at(place.instant), place);
   }
   return hold->second;
+}
+
+SeatHold NeighboursOverMotion::hold(double time) {
+  return hold_of(*all_, time);
+}
+
+SeatHold NeighboursOverMotion::lasting_hold(double time) {
+  return hold_of(lasting_ ? *lasting_ : *all_, time);
 }
 
 std::optional<SeatHold> NeighboursOverMotion::hold_at_rest(double time) const {
   const Place& place = places_[place_next_to(time)];
   const auto yielding = mechanism::yielding_at_rest(definition_, place.instant);
   if (!yielding) return std::nullopt;
-  mechanism::Neighbours neighbours(*yielding, neighbours_.slot() - 1);
-  leave_out_what_lets_go(neighbours);
+  mechanism::Neighbours neighbours(*yielding, body_);
+  leave_out(letting_go_, neighbours);
   return hold_by(neighbours, place);
 }
 
@@ -136,8 +172,7 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
   MatrixXd to_point = MatrixXd::Identity(kMotion * std::ssize(acting),
                                          kMotion * std::ssize(acting));
   MatrixXd of_way = MatrixXd::Zero(to_point.rows(), to_point.cols());
-  const int body = neighbours_.slot() - 1;
-  const auto& pose = place.instant.bodies[static_cast<std::size_t>(body)].pose;
+  const auto& pose = place.instant.bodies[static_cast<std::size_t>(body_)].pose;
   for (std::size_t s = 0; s < acting.size(); ++s) {
     if (!seats_[s].slide) continue;
     const auto joint = static_cast<std::size_t>(acting[s].index);
@@ -150,13 +185,15 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
       to_point.block<3, 1>(at, at + 3 + k) = turned;
     }
     // The way from the seat's point to the joint's turns, too.
-    const double sign = definition_.joints[joint].body_b == body ? 1.0 : -1.0;
+    const double sign = definition_.joints[joint].body_b == body_ ? 1.0 : -1.0;
     const Matrix3d outer =
         sign * pose.R_WL.transpose() * reaction.f_W * way.transpose();
     of_way.block<3, 3>(at + 3, at + 3) = 0.5 * (outer + outer.transpose()) -
                                          outer.trace() * Matrix3d::Identity();
   }
-  const auto found = load_gains(neighbours_, place.instant, acting, wanted_);
+  const Holder& holder = lasting_ ? *lasting_ : *all_;
+  const auto found =
+      load_gains(holder.neighbours(), place.instant, acting, wanted_);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
                   to_point.transpose() * found * to_point + of_way};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});

@@ -18,9 +18,8 @@ namespace clevis::loads {
 
 /// What the rest of the mechanism holds of a body, and what its loads gain as
 /// seats give way, at instants of its motion; worked out when it is asked for
-/// first, once each. Contacts and stops hold a part as it vibrates where they
-/// press at all instants: else it may lift off. Friction on a joint holds while
-/// it sticks.
+/// first, once each. Contacts and stops hold a part while they press, friction
+/// on a joint while it sticks.
 class NeighboursOverMotion {
  public:
   struct Place {
@@ -39,36 +38,39 @@ class NeighboursOverMotion {
 
   /// At the place next to a time [s].
   SeatHold hold(double time);
-  /// The same of a mechanism at rest, whose friction breaks away as it gives
-  /// way by 1/200 [rad] and whose gas flows; absent: nothing yields otherwise.
+  /// The same without contacts and stops that let go at other instants.
+  /// @param time  [s].
+  SeatHold lasting_hold(double time);
+  /// That of a mechanism at rest, whose friction breaks away as it gives way by
+  /// 1/200 [rad] and whose gas flows; absent: nothing yields otherwise.
   std::optional<SeatHold> hold_at_rest(double time) const;
-  /// At an instant, about the seats' points. Of a slide only the displacement
-  /// of its joint's point counts as turning nothing.
+  /// At an instant, about the seats' points, by what holds always. Of a slide
+  /// only the displacement of its joint's point counts as turning nothing.
   SeatGains gains(std::size_t instant);
 
  private:
-  using Coordinates = std::vector<std::pair<int, int>>;  ///< of joints
-  /// A mechanism with some friction that sticks.
-  struct Stuck;
+  using Elements = std::vector<std::size_t>;
+  /// What holds the body, with some force elements left out.
+  class Holder;
 
   std::size_t place_next_to(double time) const;
   SeatHold hold_by(const mechanism::Neighbours& neighbours,
                    const Place& place) const;
   SeatGains found_gains(const Place& place) const;
   bool presses_meanwhile(const mechanism::Instant& instant) const;
-  void leave_out_what_lets_go(mechanism::Neighbours& neighbours) const;
-  const mechanism::Neighbours& held_at(const mechanism::Instant& instant);
+  /// @param time  [s].
+  SeatHold hold_of(Holder& holder, double time);
 
   mechanism::MechanismDefinition definition_;
-  mechanism::Neighbours neighbours_;
+  mechanism::BodyIndex body_;
   std::vector<Seat> seats_;
-  std::vector<std::size_t> letting_go_;  ///< press, but not always
+  Elements letting_go_;  ///< press, but not always
   std::vector<mechanism::LoadPlace> acting_;
   std::vector<Place> places_;
   double wanted_;
   std::mutex mutex_;
-  std::map<Coordinates, std::unique_ptr<Stuck>> stuck_;
-  std::map<std::size_t, SeatHold> holds_;
+  std::unique_ptr<Holder> all_;
+  std::unique_ptr<Holder> lasting_;  ///< null: nothing lets go
   std::map<std::size_t, SeatGains> gains_;
 };
 

@@ -216,6 +216,9 @@ void set_neighbours(const SeatContext& context, const mechanism::Motion& motion,
   history.hold = [neighbours](double time) {
     return neighbours->hold(time);
   };
+  history.lasting_hold = [neighbours](double time) {
+    return neighbours->lasting_hold(time);
+  };
   history.hold_at_rest = [neighbours](double time) {
     return neighbours->hold_at_rest(time);
   };
