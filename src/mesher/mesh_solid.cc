@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,9 @@ class Gmsh {
          std::initializer_list<std::pair<const char*, double>>{
              {"General.Terminal", 1},
              {"General.NumThreads", 1},
+             // An exception out of gmsh's meshing leaves it locked: it would
+             // make no cells any more.
+             {"General.AbortOnError", 1},
              {"Geometry.OCCAutoFix", 0},
              {"Mesh.LcIntegrationPrecision", kOfSizes},
              {"Mesh.MeshSizeFromCurvature", 0},
@@ -177,15 +182,29 @@ void set_sizes(const std::vector<int>& tags, const MeshSizes& sizes) {
 
 /// Curved cells that gmsh cannot better are no reason to stop: those that fold
 /// are found when the mesh is read.
+/// @throws std::runtime_error of any other error.
 void generate() {
-  try {
-    gmsh::model::mesh::generate(3);
-  } catch (...) {
-    std::string said;
-    gmsh::logger::getLastError(said);
-    constexpr const char* kNotBettered = "Failed to reach critical value";
-    if (said.find(kNotBettered) == std::string::npos) throw;
+  constexpr const char* kError = "Error";
+  constexpr const char* kSummary = "-----";  // of all, line by line
+  constexpr const char* kNotBettered = "critical value";
+  std::vector<std::string> said;
+  gmsh::logger::start();
+  gmsh::model::mesh::generate(3);
+  gmsh::logger::get(said);
+  gmsh::logger::stop();
+  for (const std::string& line : said) {
+    if (line.find(kSummary) != std::string::npos) break;
+    if (line.starts_with(kError) &&
+        line.find(kNotBettered) == std::string::npos) {
+      throw std::runtime_error(line);
+    }
   }
+}
+
+bool has_cells() {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  return !types.empty();
 }
 
 /// How far middle nodes of edges on the surface stand off the edge's middle,
@@ -221,30 +240,30 @@ double farthest_shift() {
 void generate_without_kinks() {
   constexpr double kShifted = 0.05;
   constexpr double kFactors[] = {1.0, 0.97, 1.03, 0.94};
-  const auto attempt = [](double factor) {
+  const auto attempt = [](double factor) -> std::optional<double> {
     gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
     gmsh::model::mesh::clear();
-    generate();
-    return farthest_shift();
-  };
-  double best = 1.0, least = 0.0, last = 0.0;
-  for (const double factor : kFactors) {
-    double shift = 0.0;
     try {
-      shift = attempt(factor);
+      generate();
     } catch (...) {
       if (factor == 1.0) throw;
-      last = 0.0;  // of what fails nothing is left
-      continue;
+      return std::nullopt;
     }
-    if (factor == 1.0 || shift < least) {
+    if (!has_cells()) return std::nullopt;
+    return farthest_shift();
+  };
+  double best = 0.0, least = 0.0, last = 0.0;
+  for (const double factor : kFactors) {
+    const auto shift = attempt(factor);
+    last = shift ? factor : 0.0;  // of what fails nothing is left
+    if (!shift) continue;
+    if (best == 0.0 || *shift < least) {
       best = factor;
-      least = shift;
+      least = *shift;
     }
-    last = factor;
-    if (shift <= kShifted) return;
+    if (*shift <= kShifted) return;
   }
-  if (best != last) attempt(best);
+  if (best > 0.0 && best != last) attempt(best);
 }
 
 }  // namespace

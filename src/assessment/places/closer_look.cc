@@ -7,6 +7,7 @@
 
 #include "assessment/places/local_solve.h"
 #include "elasticity/fe_space/tabulation.h"
+#include "stress/field/surface_mesh.h"
 #include "stress/peaks/lattice_maximum.h"
 #include "stress/peaks/meeting_points.h"
 #include "stress/surface/surface_kink.h"
@@ -249,20 +250,12 @@ class Look {
     return result;
   }
 
-  /// The nearest point of the history's lattice.
+  /// The point of the history's lattice that stands in for it.
   /// @param fine  cell of the centre, point of kFineLattice.
   FieldPoint on_lattice(const FieldPoint& fine) const {
-    const auto shape = solved_.mesh.shape;
-    const Eigen::Matrix<double, dim, 1> at =
-        elasticity::lattice<dim>(shape, kFineLattice).col(fine.point);
-    Index nearest = 0;
-    (elasticity::lattice<dim>(shape, solved_.history.subdivisions).colwise() -
-     at)
-        .colwise()
-        .squaredNorm()
-        .minCoeff(&nearest);
     return {centre_[static_cast<std::size_t>(fine.cell)],
-            static_cast<int>(nearest)};
+            stress::stand_in<dim>(solved_.mesh.shape, kFineLattice, fine.point,
+                                  solved_.history.subdivisions)};
   }
 
   /// By what the mesh makes of a curved surface [Pa]: a surface whose slope is

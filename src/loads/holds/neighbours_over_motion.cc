@@ -92,22 +92,38 @@ NeighboursOverMotion::NeighboursOverMotion(
       seats_(std::move(seats)),
       acting_(std::move(acting)),
       places_(std::move(places)),
-      wanted_(wanted),
-      all_(std::make_unique<Holder>(definition_, body, Elements{})) {
+      wanted_(wanted) {
+  constexpr double kMost = 0.5;
+  Elements passing;
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
     if (properties(definition_.elements[e]).presses &&
         std::ranges::any_of(places_, [&](const Place& place) {
           return lets_go(place.instant, e);
         })) {
       letting_go_.push_back(e);
+      if (pressed_share(e) < kMost) passing.push_back(e);
     }
   }
-  if (!letting_go_.empty()) {
+  all_ = std::make_unique<Holder>(definition_, body, passing);
+  if (letting_go_.size() > passing.size()) {
     lasting_ = std::make_unique<Holder>(definition_, body, letting_go_);
   }
 }
 
 NeighboursOverMotion::~NeighboursOverMotion() = default;
+
+double NeighboursOverMotion::pressed_share(std::size_t element) const {
+  double pressed = 0.0;
+  for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+    if (lets_go(places_[i].instant, element) &&
+        lets_go(places_[i + 1].instant, element)) {
+      continue;
+    }
+    pressed += places_[i + 1].instant.t - places_[i].instant.t;
+  }
+  const double whole = places_.back().instant.t - places_.front().instant.t;
+  return whole > 0.0 ? pressed / whole : 0.0;
+}
 
 bool NeighboursOverMotion::presses_meanwhile(
     const mechanism::Instant& instant) const {

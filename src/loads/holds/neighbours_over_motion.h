@@ -18,8 +18,8 @@ namespace clevis::loads {
 
 /// What the rest of the mechanism holds of a body, and what its loads gain as
 /// seats give way, at instants of its motion; worked out when it is asked for
-/// first, once each. Contacts and stops hold a part while they press, friction
-/// on a joint while it sticks.
+/// first, once each. Contacts and stops that press for most of the motion hold
+/// a part while they do, friction on a joint while it sticks.
 class NeighboursOverMotion {
  public:
   struct Place {
@@ -60,6 +60,8 @@ class NeighboursOverMotion {
   bool presses_meanwhile(const mechanism::Instant& instant) const;
   /// @param time  [s].
   SeatHold hold_of(Holder& holder, double time);
+  /// Of the motion's time through which an element presses [1].
+  double pressed_share(std::size_t element) const;
 
   mechanism::MechanismDefinition definition_;
   mechanism::BodyIndex body_;
@@ -70,7 +72,7 @@ class NeighboursOverMotion {
   double wanted_;
   std::mutex mutex_;
   std::unique_ptr<Holder> all_;
-  std::unique_ptr<Holder> lasting_;  ///< null: nothing lets go
+  std::unique_ptr<Holder> lasting_;  ///< null: the same
   std::map<std::size_t, SeatGains> gains_;
 };
 

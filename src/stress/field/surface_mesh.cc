@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -311,16 +312,21 @@ int stand_in(mesh::CellShape shape, int fine, int fine_point, int coarse) {
   const Eigen::Matrix<double, dim, 1> wanted =
       elasticity::lattice<dim>(shape, fine).col(fine_point);
   const auto sides = sides_of<dim>(shape, wanted);
-  int nearest = -1;
+  constexpr double kFar = 2.0;  // beyond any distance in a cell
+  Index nearest = 0;
+  double least = HUGE_VAL;
   for (Index q = 0; q < points.cols(); ++q) {
-    if (sides_of<dim>(shape, points.col(q)) != sides) continue;
-    if (nearest < 0 || (points.col(q) - wanted).norm() <
-                           (points.col(nearest) - wanted).norm()) {
-      nearest = static_cast<int>(q);
+    const auto there = sides_of<dim>(shape, points.col(q));
+    if (!std::ranges::equal(sides, there, std::ranges::less_equal())) continue;
+    const double distance =
+        (points.col(q) - wanted).norm() +
+        kFar * static_cast<double>(std::ranges::count(there, true));
+    if (distance < least) {
+      least = distance;
+      nearest = q;
     }
   }
-  assert(nearest >= 0 && "the lattice is too coarse");
-  return nearest;
+  return static_cast<int>(nearest);
 }
 
 template SurfaceMesh surface_mesh<2>(mesh::CellShape, const InstantField&);

@@ -40,8 +40,8 @@ SharedPoints share_points(const Eigen::MatrixX3d& positions,
                           const Eigen::MatrixXd& values, double tolerance);
 
 /// Point of a coarser lattice of a cell that may stand in for one of a finer:
-/// the nearest on the same corner, edge or face of the cell, or inside it.
-/// @pre coarse > 1 unless the fine point is a corner.
+/// the nearest on the same corner, edge or face of the cell, or inside it; on
+/// the border of that where it has no other.
 template <int dim>
 int stand_in(mesh::CellShape shape, int fine, int fine_point, int coarse);
 

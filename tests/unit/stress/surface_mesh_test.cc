@@ -1,5 +1,7 @@
 #include "stress/field/surface_mesh.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -178,6 +180,30 @@ TEST(StandIn, LiesOnTheSamePieceOfTheCell) {
   EXPECT_EQ(stand_in<2>(shape, 8, at(8, 8, 7), 3), at(3, 3, 2));
   EXPECT_EQ(stand_in<2>(shape, 8, at(8, 7, 1), 3), at(3, 2, 1));
   EXPECT_EQ(stand_in<2>(shape, 8, at(8, 0, 8), 3), at(3, 0, 3));
+}
+
+// What stands on the oblique face stays there, though a point inside may be as
+// near; on a lattice without points inside the border stands in.
+TEST(StandIn, LiesOnTheFacesOfATetrahedron) {
+  constexpr double kRoundOff = 1e-12;
+  const auto shape = mesh::CellShape::kSimplex;
+  const auto fine = elasticity::lattice<3>(shape, 8);
+  for (const int to : {2, 3, 4}) {
+    const auto coarse = elasticity::lattice<3>(shape, to);
+    for (Eigen::Index i = 0; i < fine.cols(); ++i) {
+      const Eigen::Vector3d there =
+          coarse.col(stand_in<3>(shape, 8, static_cast<int>(i), to));
+      if (std::abs(1.0 - fine.col(i).sum()) < kRoundOff) {
+        EXPECT_NEAR(there.sum(), 1.0, kRoundOff) << i << " on " << to;
+      }
+      for (int d = 0; d < 3; ++d) {
+        if (fine(d, i) < kRoundOff) {
+          EXPECT_NEAR(there[d], 0.0, kRoundOff) << i << " on " << to;
+        }
+      }
+      EXPECT_LE((there - fine.col(i)).norm(), std::sqrt(3.0) / to);
+    }
+  }
 }
 
 }  // namespace
