@@ -44,8 +44,7 @@ class Gmsh {
          std::initializer_list<std::pair<const char*, double>>{
              {"General.Terminal", 1},
              {"General.NumThreads", 1},
-             // An exception out of gmsh's meshing leaves it locked: it would
-             // make no cells any more.
+             // After an exception out of its meshing gmsh makes no cells.
              {"General.AbortOnError", 1},
              {"Geometry.OCCAutoFix", 0},
              {"Mesh.LcIntegrationPrecision", kOfSizes},

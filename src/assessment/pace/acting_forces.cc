@@ -15,11 +15,11 @@ using Eigen::VectorXd;
 
 /// Of symmetric matrices, with the length that no frame changes.
 VectorXd square_of(const Vector3d& omega) {
-  constexpr double kTwice = std::numbers::sqrt2;  // off the diagonal
+  constexpr double kRoot = std::numbers::sqrt2;  // they stand there twice
   return VectorXd{{omega.x() * omega.x(), omega.y() * omega.y(),
-                   omega.z() * omega.z(), kTwice * omega.x() * omega.y(),
-                   kTwice * omega.y() * omega.z(),
-                   kTwice * omega.z() * omega.x()}};
+                   omega.z() * omega.z(), kRoot * omega.x() * omega.y(),
+                   kRoot * omega.y() * omega.z(),
+                   kRoot * omega.z() * omega.x()}};
 }
 
 std::vector<VectorXd> vectors_of(const loads::InstantLoad& instant,
