@@ -17,6 +17,7 @@
 
 #include "base/messages/errors.h"
 #include "mesher/mesh_sizes.h"
+#include "mesher/surface_flips.h"
 
 namespace clevis::mesher {
 namespace {
@@ -179,16 +180,17 @@ void set_sizes(const std::vector<int>& tags, const MeshSizes& sizes) {
       });
 }
 
-/// Curved cells that gmsh cannot better are no reason to stop: those that fold
-/// are found when the mesh is read.
+/// One step of gmsh's. Curved cells that it cannot better are no reason to
+/// stop: those that fold are found when the mesh is read.
 /// @throws std::runtime_error of any other error.
-void generate() {
+template <class Step>
+void take_step(Step&& step) {
   constexpr const char* kError = "Error";
   constexpr const char* kSummary = "-----";  // of all, line by line
   constexpr const char* kNotBettered = "critical value";
   std::vector<std::string> said;
   gmsh::logger::start();
-  gmsh::model::mesh::generate(3);
+  step();
   gmsh::logger::get(said);
   gmsh::logger::stop();
   for (const std::string& line : said) {
@@ -198,6 +200,23 @@ void generate() {
       throw std::runtime_error(line);
     }
   }
+}
+
+void generate() {
+  take_step([] {
+    gmsh::model::mesh::generate(3);
+  });
+}
+
+/// Tetrahedra of degree 2.
+void generate_curved() {
+  gmsh::option::setNumber("Mesh.ElementOrder", 1);
+  generate();
+  take_step([] {
+    flip_surface_edges();
+    gmsh::model::mesh::setOrder(2);
+    gmsh::model::mesh::optimize("HighOrder");
+  });
 }
 
 bool has_cells() {
@@ -233,9 +252,10 @@ double farthest_shift() {
   return farthest;
 }
 
-/// Where a cell has two faces on one smooth surface it has no volume beside
-/// their common edge; gmsh then moves middle nodes until the surface kinks,
-/// which looks like a notch. Cells a little smaller or larger rarely do.
+/// Where a cell has no volume beside an edge on a smooth surface gmsh moves
+/// middle nodes until the surface kinks, which looks like a notch: at an edge
+/// of the model between two that are tangent, say. Cells a little smaller or
+/// larger rarely do.
 void generate_without_kinks() {
   constexpr double kShifted = 0.05;
   constexpr double kFactors[] = {1.0, 0.97, 1.03, 0.94};
@@ -243,7 +263,7 @@ void generate_without_kinks() {
     gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
     gmsh::model::mesh::clear();
     try {
-      generate();
+      generate_curved();
     } catch (...) {
       if (factor == 1.0) throw;
       return std::nullopt;

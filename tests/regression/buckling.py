@@ -11,6 +11,8 @@
 - A clamped column under three times its Euler load must fail, by its buckling;
   under a third of it, it passes.
 - A strip that linear theory bends by half of its length does not pass.
+- A bar that is pushed along its guide buckles beyond the guide's own length, whoever
+  takes the push: a drive, a spring, or a drive beside a weak spring across the tip.
 - The shape and the numbers stand in the files.
 """
 import math
@@ -100,6 +102,86 @@ name = "{case}"
 fixed = {{ root = ["x", "y", "z"] }}
 traction = {{ tip = ["{x} MPa", "{y} MPa", "0 MPa"] }}
 """
+
+
+GUIDED = """schema = 1
+name = "guided"
+""" + support.STEEL + """
+[world]
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+
+[[body]]
+name = "bar"
+part = "bar"
+
+[[joint]]
+name = "slide"
+type = "prismatic"
+between = ["ground", "bar"]
+at = {{ ground = ["0 mm", "0 mm", "0 mm"], bar = ["350 mm", "10 mm", "10 mm"] }}
+axis = [1, 0, 0]
+
+[[force]]
+type = "constant"
+name = "push"
+body = "bar"
+point = ["0 mm", "10 mm", "10 mm"]
+force = ["45 kN", "0 N", "0 N"]
+{held}
+[[part]]
+name = "bar"
+mesh = "bar.msh"
+length_unit = "mm"
+material = "steel"
+limits = {{ safety_factor = 1.5 }}
+pins = {{ slide = {{ groups = ["low", "high"], length = "60 mm" }} }}
+{faces}
+"""
+
+DRIVEN = """
+[[drive]]
+joint = "slide"
+law = "quintic"
+from = "0 mm"
+to = "1e-6 mm"
+duration = "1 s"
+
+[simulation]
+duration = "1 s"
+"""
+ON_DRIVE = 'drives = { slide = { face = "root" } }\n'
+
+# Who holds the slide, and where these act.
+HOLDERS = {
+    "a drive": (DRIVEN, ON_DRIVE + 'forces = { push = { face = "tip" } }'),
+    "a spring": ("""
+[[initial]]
+joint = "slide"
+position = "0 mm"
+rate = "0 m/s"
+
+[[force]]
+type = "spring"
+name = "stop"
+joint = "slide"
+free = "-0.45 mm"
+stiffness = "1e8 N/m"
+
+[simulation]
+duration = "10 ms"
+""", 'forces = { push = { face = "tip" }, stop = { face = "root" } }'),
+    "a drive beside a weak spring": (DRIVEN + """
+[[force]]
+type = "spring"
+name = "across"
+between = ["ground", "bar"]
+from = ["-350 mm", "0 mm", "0 mm"]
+to = ["0 mm", "10 mm", "10 mm"]
+axis = [0, 1, 0]
+stiffness = "100 N/m"
+free = "0 mm"
+""", ON_DRIVE + 'forces = { push = { face = "tip" }, across = { face = "tip" } }'),
+}
 
 
 def bar_mesh(path, length, width, height, cells):
@@ -255,6 +337,22 @@ def bed_faults(clevis, folder):
         yield f"column on a bed: {part['verdict']}, {factor} for {truth}"
 
 
+def guide_faults(clevis, folder):
+    """Above its guide the bar is a column on a guide that holds it in the mean, and
+    its turn; by beam theory 1.292 times the push, as a column clamped where the
+    guide begins 1.495 times."""
+    sides = dict.fromkeys(hex_mesh.SIDES) | {"x0": "tip", "x1": "root", "y0": "low", "y1": "high"}
+    hex_mesh.write(folder / "bar.msh", hex_mesh.block(
+        (20, 1, 1), lambda x, y, z: (400 * x, 20 * y, 20 * z), sides))
+    for who, (held, faces) in HOLDERS.items():
+        text = GUIDED.format(held=held, faces=faces)
+        part = check(clevis, folder, text, "guided by " + who).part
+        factor = part["buckling"]["factor"]
+        print(f"a bar in a guide, held along it by {who}: {part['verdict']}, {factor:.4f}")
+        if part["verdict"] != "fail" or abs(factor / 1.292 - 1) > 0.01:
+            yield f"a bar in a guide on {who}: {part['verdict']}, {factor}"
+
+
 def strip_faults(clevis, folder):
     bar_mesh(folder / "bar.msh", 1000.0, 10.0, 1.0, 40)
     text = BAR.replace('"0 MPa"]', '"{z} MPa"]').format(
@@ -279,6 +377,7 @@ def main():
         folder = Path(name)
         for fault in (*column_faults(clevis, folder),
                       *bed_faults(clevis, folder),
+                      *guide_faults(clevis, folder),
                       *strip_faults(clevis, folder),
                       *pin_faults(clevis, folder),
                       *fork_faults(clevis, folder),

@@ -76,7 +76,10 @@ bool keeps_place(const loads::LoadHistory& history) {
 
 BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
                                      const StressedPart& stressed)
-    : history_(problem.history), stressed_(stressed), name_(problem.name) {
+    : problem_(problem),
+      history_(problem.history),
+      stressed_(stressed),
+      name_(problem.name) {
   constexpr std::size_t kMost = 65;
   const HeldPart& part = stressed.part();
   const std::size_t all = history_.instants.size();
@@ -93,9 +96,14 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
     }
   }
   if (instants_.empty() && !stands_) return;
-  means_ = seat_means(problem.discretization, history_.seats, {}, problem.name);
   rigid_ = part.rigid();
-  motions_ = transposed_product(means_, rigid_);
+  motions_ = transposed_product(means_at(0), rigid_);
+}
+
+MatrixXd BucklingOnSprings::means_at(Index instant) const {
+  return seat_means(
+      problem_.discretization, history_.seats,
+      history_.instants[static_cast<std::size_t>(instant)].zones, name_);
 }
 
 bool BucklingOnSprings::is_sprung(Index instant) const {
@@ -172,7 +180,7 @@ class BucklingOnSprings::Space {
   Space(const BucklingOnSprings& of, Index instant)
       : of_(of),
         part_(of.stressed_.part()),
-        means_(of.means_),
+        means_(of.means_at(instant)),
         hold_(of.hold_at(instant)),
         pushing_(of.stressed_.pushing(instant)),
         rigid_(of.rigid_.cols()),
@@ -246,7 +254,7 @@ class BucklingOnSprings::Space {
  private:
   const BucklingOnSprings& of_;
   const HeldPart& part_;
-  const MatrixXd& means_;
+  MatrixXd means_;  ///< of the seats at this instant
   loads::SeatHold hold_;
   std::function<MatrixXd(const MatrixXd&)> pushing_;
   Index rigid_;

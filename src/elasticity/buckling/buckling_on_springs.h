@@ -68,15 +68,18 @@ class BucklingOnSprings {
   std::optional<double> factor_of_position(const loads::SeatHold& hold,
                                            const Eigen::MatrixXd& form) const;
   loads::SeatHold hold_at(Eigen::Index instant) const;
+  /// seat_means() of what slides touch then.
+  Eigen::MatrixXd means_at(Eigen::Index instant) const;
 
+  const BucklingProblem& problem_;
   const loads::LoadHistory& history_;
   const StressedPart& stressed_;
   std::string name_;
   std::vector<Eigen::Index> instants_;
   bool stands_ = false, hold_alone_ = false;
-  Eigen::MatrixXd means_;    ///< seat_means()
   Eigen::MatrixXd rigid_;    ///< motions of the part, dofs × motions
-  Eigen::MatrixXd motions_;  ///< of the seats by these, six each × motions
+  /// Of the seats by these, six each × motions: wherever slides touch.
+  Eigen::MatrixXd motions_;
 };
 
 }  // namespace clevis::elasticity
