@@ -33,9 +33,9 @@ constexpr double kThinnest = 1.0 / 200.0;              // of the part's size
 constexpr int kSamples = 7;                            // per parameter
 constexpr double kFar = 1e100;
 
-double diagonal(const TopoDS_Solid& solid) {
+double diagonal(const TopoDS_Shape& shape) {
   Bnd_Box box;
-  BRepBndLib::Add(solid, box);
+  BRepBndLib::Add(shape, box);
   return std::sqrt(box.SquareExtent());
 }
 
@@ -53,6 +53,14 @@ double wall(IntCurvesFace_ShapeIntersector& solid, const gp_Pnt& from,
   const double start = 1e-5 * reach;
   solid.PerformNearest(gp_Lin(from, inwards), start, reach);
   return solid.IsDone() && solid.NbPnt() > 0 ? solid.WParameter(1) : kFar;
+}
+
+/// Size on a wall that is thin beside the face: cells may be longer than it is
+/// thick, but not bulge out of their chords by more than a quarter of it [mm].
+double thin_size(double thick, double curved, double turn) {
+  constexpr double kLong = 3.0;
+  const double radius = curved / turn;
+  return std::min(kLong * thick, std::sqrt(2.0 * radius * thick));
 }
 
 /// Numbers of the faces that joints and selectors name: loads press on them,
@@ -110,6 +118,9 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
     const double turn = seats.contains(f) ? kTurnOfSeat : kTurn;
     double u0{}, u1{}, v0{}, v1{}, finest = largest_;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
+    // Where it is thinner samples are islands of small cells.
+    constexpr double kThin = 0.15;
+    const double thin = kThin * diagonal(face) / (kSamples - 1);
     for (int i = 0; i < kSamples * kSamples; ++i) {
       const double u = u0 + (u1 - u0) * (i % kSamples) / (kSamples - 1);
       const double v = v0 + (v1 - v0) * (i / kSamples) / (kSamples - 1);
@@ -125,6 +136,11 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
                    kThinnest * reach) /
           fineness;
       finest = std::min(finest, curved);
+      if (thick < thin) {
+        const double radius_size = curved_size(here, turn);
+        finest = std::min(finest, thin_size(thick, radius_size, turn));
+        continue;
+      }
       if (std::min(curved, thick) < largest_) {
         sources_.push_back({here.Value(), std::min(curved, thick), 0.0});
       }

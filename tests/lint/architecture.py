@@ -231,7 +231,7 @@ PUBLIC = {
     "loads": "history/balance history/load_history history/motion_instants history/strike history/turning_loads"
              " parts/case_loads parts/held_pins parts/part_loads parts/partial_walls parts/series_loads"
              " pressure/discrete_balance pressure/face_pressure pressure/load_scale pressure/pin_pressure pressure/seat_traction pressure/surface_shear"
-             " pressure/wall_pressure holds/holding_groups seats/force_seats seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places",
+             " pressure/wall_pressure holds/holding_groups seats/force_seats seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places holds/spread_seats",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
                 " load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"

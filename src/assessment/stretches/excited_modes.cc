@@ -74,11 +74,13 @@ MatrixXd seat_changes(const loads::LoadHistory& motion) {
 }
 
 ExcitedModes::ExcitedModes(const PartJob& job, const LoadSet& motion,
+                           const loads::SpreadSeats& seats,
                            const elasticity::SeatShapes& shapes)
-    : shapes_(shapes),
+    : seats_(seats),
+      shapes_(shapes),
       path_(load_components(job, motion)),
       damping_(job.part.damping),
-      changes_(shapes.along_seats(seat_changes(motion.history))),
+      changes_(seat_changes(motion.history)),
       has_others_(std::ranges::any_of(motion.history.instants,
                                       [](const loads::InstantLoad& instant) {
                                         return !instant.surface_loads.empty();
@@ -98,7 +100,7 @@ double ExcitedModes::amplification(double period) {
   return known->second;
 }
 
-HeldModes ExcitedModes::of(const loads::SeatHold& hold) {
+HeldModes ExcitedModes::of(const loads::SeatHold& hold, std::size_t instant) {
   constexpr Index kFirst = 6;
   constexpr double kRoundOff = 1e-12;  // of squares: no vibration
   const auto vibrations = shapes_.held_by(hold);
@@ -107,10 +109,12 @@ HeldModes ExcitedModes::of(const loads::SeatHold& hold) {
       vibrations.squares.cwiseMax(kRoundOff * vibrations.squares.maxCoeff());
   const VectorXd periods =
       2.0 * std::numbers::pi * squares.cwiseSqrt().cwiseInverse();
+  const MatrixXd changes =
+      shapes_.along_seats(seats_.spread(changes_, instant));
   VectorXd answers(count);
   for (Index k = 0; k < count; ++k) {
-    const double bent = changes_.cols() > 0
-                            ? (vibrations.bending.col(k).transpose() * changes_)
+    const double bent = changes.cols() > 0
+                            ? (vibrations.bending.col(k).transpose() * changes)
                                   .lpNorm<Eigen::Infinity>()
                             : 0.0;
     answers[k] = bent / std::sqrt(squares[k]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "dynamics/load_vibration/load_path.h"
 #include "elasticity/vibration/seat_shapes.h"
 #include "loads/history/load_history.h"
+#include "loads/holds/spread_seats.h"
 
 namespace clevis::assessment {
 
@@ -40,19 +42,24 @@ Eigen::MatrixXd seat_changes(const loads::LoadHistory& motion);
 /// oscillator of its period answers to them.
 class ExcitedModes {
  public:
-  /// @param motion  of followed_loads(). @param shapes  outlives the object.
+  /// @param motion  of followed_loads(). @param shapes  of `seats`, which
+  ///   outlive the object as they do.
   ExcitedModes(const PartJob& job, const LoadSet& motion,
+               const loads::SpreadSeats& seats,
                const elasticity::SeatShapes& shapes);
 
-  HeldModes of(const loads::SeatHold& hold);
+  /// At an instant. The loads of all bend the part as it stands then.
+  /// @param hold  of the spread seats.
+  HeldModes of(const loads::SeatHold& hold, std::size_t instant);
 
  private:
   double amplification(double period);
 
+  const loads::SpreadSeats& seats_;
   const elasticity::SeatShapes& shapes_;
   dynamics::LoadPath path_;
   double damping_;
-  Eigen::MatrixXd changes_;                     ///< along the shapes' seats
+  Eigen::MatrixXd changes_;                     ///< seat_changes()
   bool has_others_;                             ///< loads that are not of seats
   std::map<long long, double> amplifications_;  ///< by the period's logarithm
 };

@@ -8,23 +8,21 @@
 #include <Eigen/Core>
 
 #include "assessment/pace/load_pace.h"
-#include "assessment/stretches/slide_way.h"
+#include "base/algebra/append_columns.h"
 #include "base/messages/errors.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "elasticity/vibration/seat_shapes.h"
 #include "loads/history/motion_instants.h"
+#include "loads/holds/spread_seats.h"
 
 namespace clevis::assessment {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr double kLike = 0.02;  // periods, as the width of a resonance
-
-bool are_like(double shortest, double longest) {
-  return longest - shortest <= kLike * longest;
-}
 
 /// Instants whose modes are like those of the first of their group: eight
 /// groups at most, for which they may be farther apart.
@@ -47,6 +45,39 @@ std::vector<std::vector<std::size_t>> alike(
     if (groups.size() <= kMost) break;
   }
   return groups;
+}
+
+VectorXd periods_of(const HeldModes& held) {
+  VectorXd all(std::ssize(held.modes));
+  std::ranges::transform(held.modes, all.begin(), &ExcitedMode::period);
+  return all;
+}
+
+/// Of a mode as its hold changes, by instant [s]: from one to the next that
+/// which is nearest.
+VectorXd followed_period(const std::vector<HeldModes>& modes,
+                         std::size_t instant, double period) {
+  constexpr double kLost = 1.3;  // none is it: as before
+  const auto next = [&](double before, const HeldModes& held) {
+    const auto off = [before](const ExcitedMode& mode) {
+      return std::abs(std::log(mode.period / before));
+    };
+    const auto nearest = std::ranges::min_element(held.modes, {}, off);
+    return nearest != held.modes.end() && off(*nearest) < std::log(kLost)
+               ? nearest->period
+               : before;
+  };
+  VectorXd all(std::ssize(modes));
+  all[static_cast<Index>(instant)] = period;
+  for (std::size_t i = instant + 1; i < modes.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    all[at] = next(all[at - 1], modes[i]);
+  }
+  for (std::size_t i = instant; i-- > 0;) {
+    const auto at = static_cast<Index>(i);
+    all[at] = next(all[at + 1], modes[i]);
+  }
+  return all;
 }
 
 /// Times that are nearer to an instant than to others.
@@ -87,12 +118,13 @@ std::vector<VibrationWindow> windows_at(
 }
 
 /// Whether the mechanism holds and weighs the same.
-bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b) {
-  constexpr double kSame = 1e-6;
-  const auto is_same = [](const MatrixXd& one, const MatrixXd& other) {
+/// @param apart  of sums of squares [1].
+bool are_alike(const loads::SeatHold& a, const loads::SeatHold& b,
+               double apart) {
+  const auto is_same = [apart](const MatrixXd& one, const MatrixXd& other) {
     const MatrixXd first = one * one.transpose();
     const MatrixXd second = other * other.transpose();
-    return (first - second).norm() <= kSame * second.norm();
+    return (first - second).norm() <= apart * second.norm();
   };
   const auto swing_alike = [&] {
     if (!a.swinging || !b.swinging) return !a.swinging && !b.swinging;
@@ -127,8 +159,8 @@ bool springs_count(const elasticity::SeatShapes& shapes,
   loads::SeatHold unsprung = hold;
   unsprung.leave_springs_out();
   const auto held = shapes.held_by(hold);
-  const Eigen::VectorXd& sprung = held.squares;
-  const Eigen::VectorXd alone = shapes.held_by(unsprung).squares;
+  const VectorXd& sprung = held.squares;
+  const VectorXd alone = shapes.held_by(unsprung).squares;
   const auto rigid = shapes.rigid_swings(hold);
   std::vector<Resonance> apart;
   const auto add = [&](double square, double ratio) {
@@ -164,6 +196,15 @@ bool spins(const loads::SeatHold& hold) {
          kRoundOff * (hold.weighed * hold.weighed.transpose()).norm();
 }
 
+std::size_t next_to(double time,
+                    const std::vector<loads::InstantLoad>& instants) {
+  const auto nearest = std::ranges::min_element(
+      instants, {}, [&](const loads::InstantLoad& load) {
+        return std::abs(load.time - time);
+      });
+  return static_cast<std::size_t>(nearest - instants.begin());
+}
+
 /// So many instants at most, as evenly as they stand.
 std::vector<std::size_t> some_of(std::size_t instants) {
   constexpr std::size_t kMost = 33;
@@ -173,19 +214,6 @@ std::vector<std::size_t> some_of(std::size_t instants) {
     some.push_back(count == 1 ? 0 : k * (instants - 1) / (count - 1));
   }
   return some;
-}
-
-/// First period at a place, from those of three, rising.
-double between_places(const std::vector<std::pair<double, double>>& known,
-                      double place) {
-  for (std::size_t k = 1; k < known.size(); ++k) {
-    const auto& [from, before] = known[k - 1];
-    const auto& [to, after] = known[k];
-    if (place > to && k + 1 < known.size()) continue;
-    if (!(to > from)) continue;
-    return before + (after - before) * (place - from) / (to - from);
-  }
-  return known.front().second;
 }
 
 }  // namespace
@@ -207,34 +235,47 @@ void HeldMotions::make_solvers(Motion& motion) const {
 }
 
 void HeldMotions::look_at_seats(Motion& motion) const {
+  constexpr int kSteps = 8;            // of a slide's way
+  constexpr double kLittle = 1e-3;     // of the part's size: no way
+  constexpr double kSame = 1e-6;       // of holds
+  constexpr double kSameModes = 1e-3;  // likewise, far below kLike
   loads::LoadHistory& history = motion.loads.history;
-  const bool has_slide = !motion.places.empty();
   if (!history.hold || !motion.loads.fixed.empty() ||
       !motion.loads.foundations.empty()) {
     return;
   }
-  std::vector<loads::SeatHold> holds{history.hold(history.hold_time)};
+  const loads::SpreadSeats seats(history, kSteps, kLittle * job_.sides()[2]);
+  const auto hold_at = [&](std::size_t instant) {
+    return seats.spread(history.hold(history.instants[instant].time), instant);
+  };
+  std::vector<std::size_t> looks{next_to(history.hold_time, history.instants)};
   for (const std::size_t i : some_of(history.instants.size())) {
-    holds.push_back(history.hold(history.instants[i].time));
+    looks.push_back(i);
   }
+  std::vector<loads::SeatHold> holds;
+  for (const std::size_t i : looks) holds.push_back(hold_at(i));
   const auto fastest =
       *std::ranges::max_element(holds, {}, [](const loads::SeatHold& hold) {
         return hold.spin.norm();
       });
   const auto change = [&] {
-    return !has_slide && std::ranges::any_of(holds, [&](const auto& hold) {
-      return !are_alike(hold, holds.front());
+    return std::ranges::any_of(holds, [&](const loads::SeatHold& hold) {
+      return !are_alike(hold, holds.front(), kSame);
     });
   };
   const bool may_be_sprung =
       std::ranges::any_of(holds, &loads::SeatHold::is_sprung);
   if (!may_be_sprung && !change() && !spins(fastest)) return;
-  const MatrixXd wrenches = elasticity::span_of(holds, seat_changes(history));
+  MatrixXd changes(0, 0);
+  for (const std::size_t i : looks) {
+    append_columns(seats.spread(seat_changes(history), i), changes);
+  }
+  const MatrixXd wrenches = elasticity::span_of(holds, changes);
   make_solvers(motion);
   std::optional<elasticity::SeatShapes> shapes;
   for (auto& solver : motion.solvers) {
     try {
-      shapes = solver.seat_shapes(wrenches, holds.front().zones);
+      shapes = solver.seat_shapes(wrenches, seats.seats(), holds.front().zones);
       break;
     } catch (const Error&) {
       continue;
@@ -251,17 +292,32 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   }
   if (spins(fastest)) motion.moved = shapes->moved_by_spin(fastest);
   if (!change()) return;
-  ExcitedModes excited(job_, motion.loads, *shapes);
-  const HeldModes first = excited.of(holds.front());
-  if (std::ranges::all_of(holds, [&](const loads::SeatHold& hold) {
-        return clevis::assessment::are_like(first, excited.of(hold), kLike);
-      })) {
-    return;
+  ExcitedModes excited(job_, motion.loads, seats, *shapes);
+  const HeldModes first = excited.of(holds.front(), looks.front());
+  bool are_all_like = true;
+  for (std::size_t k = 1; k < looks.size() && are_all_like; ++k) {
+    are_all_like = are_like(first, excited.of(holds[k], looks[k]), kLike);
   }
-  for (const loads::InstantLoad& instant : history.instants) {
-    loads::SeatHold hold = history.hold(instant.time);
+  if (are_all_like) return;
+  motion.travels = seats.travels();
+  const auto hold_of = [&](std::size_t instant) {
+    loads::SeatHold hold = history.hold(history.instants[instant].time);
     if (!history.springs_hold) hold.leave_springs_out();
-    motion.modes.push_back(excited.of(hold));
+    return hold;
+  };
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < history.instants.size(); ++i) {
+    const loads::SeatHold hold = hold_of(i);
+    const auto same =
+        std::find_if(known.rbegin(), known.rend(), [&](std::size_t other) {
+          return seats.stand_alike(i, other);
+        });
+    if (same != known.rend() && are_alike(hold_of(*same), hold, kSameModes)) {
+      motion.modes.push_back(motion.modes[*same]);
+      continue;
+    }
+    known.push_back(i);
+    motion.modes.push_back(excited.of(seats.spread(hold, i), i));
   }
 }
 
@@ -278,56 +334,23 @@ double HeldMotions::period_held(Motion& motion, double time) const {
   return longest_period(job_, motion.loads);
 }
 
-double HeldMotions::period_at(Motion& motion, std::size_t instant) const {
-  constexpr double kSame = 1e-6;  // of the way
-  const double along =
-      (motion.places[instant] - motion.low) / (motion.high - motion.low);
-  const auto [known, is_new] =
-      motion.periods.try_emplace(std::llround(along / kSame));
-  if (is_new) {
-    known->second =
-        period_held(motion, motion.loads.history.instants[instant].time);
-  }
-  return known->second;
-}
-
 HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
-  constexpr double kLittle = 1e-3;  // of the part's size: no way
   auto& found = motions_[set];
   if (found) return *found;
   found.emplace(followed_loads(job_.load_sets[set]));
   Motion& motion = *found;
-  auto& places = motion.places;
-  places = slide_way(motion.loads.history, kLittle * job_.sides()[2]);
   look_at_seats(motion);
+  const loads::LoadHistory& history = motion.loads.history;
+  double slowest = history.hold_time;
   if (!motion.modes.empty()) {
-    const auto slowest =
-        std::ranges::max_element(motion.modes, {}, &HeldModes::first_period) -
-        motion.modes.begin();
-    motion.longest = period_held(
-        motion,
-        motion.loads.history.instants[static_cast<std::size_t>(slowest)].time);
-    return motion;
+    const auto longest =
+        std::ranges::max_element(motion.modes, {}, &HeldModes::first_period);
+    slowest =
+        history
+            .instants[static_cast<std::size_t>(longest - motion.modes.begin())]
+            .time;
   }
-  if (places.empty()) {
-    motion.longest = period_held(motion, motion.loads.history.hold_time);
-    return motion;
-  }
-  const auto [low, high] = std::ranges::minmax_element(places);
-  motion.low = *low;
-  motion.high = *high;
-  const double middle = 0.5 * (*low + *high);
-  const auto nearest = std::ranges::min_element(places, {}, [&](double place) {
-    return std::abs(place - middle);
-  });
-  double shortest = HUGE_VAL;
-  for (const auto place : {low, high, nearest}) {
-    const double period =
-        period_at(motion, static_cast<std::size_t>(place - places.begin()));
-    shortest = std::min(shortest, period);
-    motion.longest = std::max(motion.longest, period);
-  }
-  if (are_like(shortest, motion.longest)) places.clear();
+  motion.longest = period_held(motion, slowest);
   return motion;
 }
 
@@ -337,86 +360,75 @@ double HeldMotions::first_period(std::size_t set) {
 
 std::vector<HeldStretch> HeldMotions::stretches(
     std::size_t set, const std::vector<VibrationWindow>& driven) {
-  constexpr int kHalvings = 3;
   Motion& of = motion(set);
   const auto& instants = of.loads.history.instants;
   Instants at;
   for (std::size_t i = 0; i < instants.size(); ++i) {
     if (!in_both({around(instants, i)}, driven).empty()) at.push_back(i);
   }
-  const bool is_one = of.places.empty() && of.modes.empty();
-  if (is_one || at.empty()) {
+  if (of.modes.empty() || at.empty()) {
     return {{of.loads.history.hold_time, windows_at(instants, at, driven)}};
   }
   std::vector<HeldStretch> found;
-  if (!of.modes.empty()) {
-    const PeriodsOf periods = [&](std::size_t instant) {
-      const auto& modes = of.modes[instant].modes;
-      Eigen::VectorXd all(std::ssize(modes));
-      std::ranges::transform(modes, all.begin(), &ExcitedMode::period);
-      return all;
-    };
-    for (const Instants& group : alike(of.modes, at)) {
-      found.push_back(stretch_of(of, group, driven, periods));
-    }
-    return found;
+  double apart = 0.0, staying = 0.0, swept = 0.0;
+  for (const Instants& group : alike(of.modes, at)) {
+    HeldStretch& stretch = found.emplace_back();
+    apart = std::max(apart, excite(of, group, driven, stretch).answer);
+    if (!of.travels) continue;
+    const auto throughout = most_excited(of, group, stretch.windows, driven);
+    staying = std::max(staying, throughout.answer);
+    swept = std::max(swept, swept_answer(of, throughout.instant, driven));
   }
-  std::ranges::stable_sort(at, {}, [&](std::size_t i) {
-    return of.places[i];
-  });
-  split(of, at, kHalvings, driven, found);
+  // It does not stay where it is in resonance, or not in one stretch.
+  constexpr double kPasses = 1.5, kFarther = 1.1;
+  if (swept > 0.0 && (staying > kPasses * swept || swept > kFarther * apart)) {
+    // As far as one oscillator is a mode whose shape changes with its period.
+    constexpr double kUncertain = 2.0;
+    for (HeldStretch& stretch : found) stretch.swept = kUncertain * swept;
+  }
   return found;
 }
 
-void HeldMotions::split(Motion& motion, const Instants& at, int depth,
-                        const std::vector<VibrationWindow>& driven,
-                        std::vector<HeldStretch>& found) const {
-  const double middle =
-      0.5 * (motion.places[at.front()] + motion.places[at.back()]);
-  const auto half = std::ranges::partition_point(at, [&](std::size_t i) {
-    return motion.places[i] <= middle;
-  });
-  double shortest = HUGE_VAL, longest = 0.0;
-  for (const std::size_t i : {at.front(), at.back(), *std::prev(half)}) {
-    const double period = period_at(motion, i);
-    shortest = std::min(shortest, period);
-    longest = std::max(longest, period);
-  }
-  if (depth == 0 || half == at.end() || are_like(shortest, longest)) {
-    found.push_back(
-        stretch_of(motion, at, driven, periods_by_place(motion, at)));
-    return;
-  }
-  split(motion, {at.begin(), half}, depth - 1, driven, found);
-  split(motion, {half, at.end()}, depth - 1, driven, found);
-}
-
-HeldMotions::PeriodsOf HeldMotions::periods_by_place(Motion& motion,
-                                                     const Instants& at) const {
-  std::vector<std::pair<double, double>> known;
-  for (const std::size_t i : {at.front(), at[(at.size() - 1) / 2], at.back()}) {
-    known.emplace_back(motion.places[i], period_at(motion, i));
-  }
-  return [known, &motion](std::size_t i) {
-    return Eigen::VectorXd::Constant(1,
-                                     between_places(known, motion.places[i]));
-  };
-}
-
-HeldStretch HeldMotions::stretch_of(const Motion& motion, const Instants& at,
-                                    const std::vector<VibrationWindow>& driven,
-                                    const PeriodsOf& periods) const {
+HeldMotions::Excited HeldMotions::excite(
+    const Motion& motion, const Instants& at,
+    const std::vector<VibrationWindow>& driven, HeldStretch& stretch) const {
   const auto& instants = motion.loads.history.instants;
-  HeldStretch stretch{0.0, windows_at(instants, at, driven)};
-  stretch.hold_time =
-      instants[most_excited(motion, at, stretch.windows, periods)].time;
-  return stretch;
+  stretch.windows = windows_at(instants, at, driven);
+  // A swing that begins in them grows for another period.
+  auto longer = stretch.windows;
+  for (VibrationWindow& window : longer) window.to += motion.longest;
+  const Excited found = most_excited(motion, at, stretch.windows,
+                                     in_both(joined(longer), driven));
+  stretch.hold_time = instants[found.instant].time;
+  return found;
 }
 
-std::size_t HeldMotions::most_excited(
+double HeldMotions::swept_answer(
+    const Motion& motion, std::size_t instant,
+    const std::vector<VibrationWindow>& driven) const {
+  LoadSet meanwhile = motion.loads;
+  const auto& instants = motion.loads.history.instants;
+  const auto within = instants_within(driven, instants);
+  meanwhile.history.instants.clear();
+  for (const Index i : within) {
+    meanwhile.history.instants.push_back(instants[static_cast<std::size_t>(i)]);
+  }
+  const auto path = load_components(job_, meanwhile);
+  if (path.size() != std::ssize(within)) return 0.0;
+  double most = 0.0;
+  for (const ExcitedMode& mode : motion.modes[instant].modes) {
+    const VectorXd periods =
+        followed_period(motion.modes, instant, mode.period);
+    most = std::max(most, dynamics::swept_amplification(path, periods(within),
+                                                        job_.part.damping));
+  }
+  return most;
+}
+
+HeldMotions::Excited HeldMotions::most_excited(
     const Motion& motion, const Instants& at,
     const std::vector<VibrationWindow>& windows,
-    const PeriodsOf& periods) const {
+    const std::vector<VibrationWindow>& loaded) const {
   // Of the time that is driven: where it dwells it is looked at there.
   constexpr int kLooks = 16;
   constexpr double kRoundOff = 1e-6;
@@ -428,25 +440,23 @@ std::size_t HeldMotions::most_excited(
   }
   LoadSet meanwhile = motion.loads;
   std::erase_if(meanwhile.history.instants, [&](const auto& instant) {
-    return !lies_in(windows, instant.time);
+    return !lies_in(loaded, instant.time);
   });
   const auto path = load_components(job_, meanwhile);
-  std::size_t worst = at[(at.size() - 1) / 2];
-  double most = 0.0;
+  Excited most{at[(at.size() - 1) / 2], 0.0};
   for (int k = 0; k < kLooks; ++k) {
     const double share = (k + 0.5) / kLooks;
     const auto found = std::ranges::lower_bound(until, share * sum);
     if (found == until.end()) continue;
     const std::size_t i = at[static_cast<std::size_t>(found - until.begin())];
-    const double answer = dynamics::response_spectrum(
-                              path, periods(i), job_.part.damping, kPaceCounts)
-                              .amplification;
-    if (!(answer > (1.0 + kRoundOff) * most))
-      continue;  // of like ones the first
-    most = answer;
-    worst = i;
+    const double answer =
+        dynamics::response_spectrum(path, periods_of(motion.modes[i]),
+                                    job_.part.damping, kPaceCounts)
+            .amplification;
+    // Of like ones the first.
+    if (answer > (1.0 + kRoundOff) * most.answer) most = {i, answer};
   }
-  return worst;
+  return most;
 }
 
 std::vector<VibrationWindow> in_both(const std::vector<VibrationWindow>& a,

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,6 +18,10 @@ namespace clevis::assessment {
 struct HeldStretch {
   double hold_time{};  ///< at which they hold it as they do there [s]
   std::vector<VibrationWindow> windows;
+  /// Slides pass where loads excite the part: it may swing so much farther than
+  /// at rest, which one place in each stretch does not tell; 0: they do not
+  /// [1].
+  double swept = 0.0;
 };
 
 /// How the mechanism holds a part through the motions of its load sets; worked
@@ -32,8 +34,7 @@ class HeldMotions {
 
   /// The load set's followed_loads(), which say whether springs hold the part.
   const LoadSet& loads(std::size_t set) { return motion(set).loads; }
-  /// Longest first period that the part has with its slide at either end of its
-  /// way or in the middle, or as bodies about it stand [s].
+  /// Longest first period that the part has as it is held over the motion [s].
   double first_period(std::size_t set);
   /// Its lowest frequencies and what bodies that spin on it move them to, at
   /// the instant when they spin most; none where they do not.
@@ -41,12 +42,11 @@ class HeldMotions {
       std::size_t set) {
     return motion(set).moved;
   }
-  /// What lies in windows of followed_loads(), by places of the slide between
-  /// which the first period is like, or else by ways in which the mechanism
-  /// holds and weighs the part that leave like vibrations to its loads; of such
-  /// instants that counts at which the loads meanwhile excite most. One, at the
-  /// history's own hold_time, where these do not change. Each has an instant of
-  /// the loads in its windows.
+  /// What lies in windows of followed_loads(), by ways in which the mechanism
+  /// holds and weighs the part, and places of its slides, that leave like
+  /// vibrations to its loads; of such instants that counts at which the loads
+  /// meanwhile excite most. One, at the history's own hold_time, where these do
+  /// not change. Each has an instant of the loads in its windows.
   /// @param driven  rising, not empty.
   std::vector<HeldStretch> stretches(
       std::size_t set, const std::vector<VibrationWindow>& driven);
@@ -60,38 +60,36 @@ class HeldMotions {
 
     LoadSet loads;  ///< followed_loads()
     std::vector<elasticity::FirstPeriods<3>> solvers = {};
-    /// slide_way() [m]; empty: no slide, or as one.
-    std::vector<double> places = {};
-    double low{}, high{};  ///< of them
-    /// Of each instant, without a slide; empty: as one.
-    std::vector<HeldModes> modes = {};
+    std::vector<HeldModes> modes = {};  ///< of each instant; empty: as one
+    bool travels = false;               ///< on slides
     std::vector<elasticity::SeatShapes::Moved> moved = {};
-    std::map<long long, double> periods = {};  ///< first, by place [s]
-    double longest{};                          ///< HeldMotions::first_period()
+    double longest{};  ///< HeldMotions::first_period()
   };
   using Instants = std::vector<std::size_t>;  ///< of a motion
-  /// Periods by which an instant is looked at [s].
-  using PeriodsOf = std::function<Eigen::VectorXd(std::size_t)>;
-
   Motion& motion(std::size_t set);
-  /// How the part's seats are held, sprung, weighed and spun; without a slide
-  /// the modes that this leaves, too.
+  /// How the part's seats are held, sprung, weighed and spun, and the modes
+  /// that this leaves.
   void look_at_seats(Motion& motion) const;
   void make_solvers(Motion& motion) const;
   /// First period as the part is held at a time [s].
   double period_held(Motion& motion, double time) const;
-  double period_at(Motion& motion, std::size_t instant) const;
-  void split(Motion& motion, const Instants& at, int depth,
-             const std::vector<VibrationWindow>& driven,
-             std::vector<HeldStretch>& found) const;
-  /// @param at  by place. @return first period, linear between three places.
-  PeriodsOf periods_by_place(Motion& motion, const Instants& at) const;
-  HeldStretch stretch_of(const Motion& motion, const Instants& at,
-                         const std::vector<VibrationWindow>& driven,
-                         const PeriodsOf& periods) const;
-  std::size_t most_excited(const Motion& motion, const Instants& at,
-                           const std::vector<VibrationWindow>& windows,
-                           const PeriodsOf& periods) const;
+  /// Largest answer of the modes that an instant has, as slides change them
+  /// [1].
+  double swept_answer(const Motion& motion, std::size_t instant,
+                      const std::vector<VibrationWindow>& driven) const;
+  /// An instant, and what oscillators of its modes answer [1].
+  struct Excited {
+    std::size_t instant{};
+    double answer{};
+  };
+  /// Fills in windows and hold of a stretch. @return the instant of this.
+  Excited excite(const Motion& motion, const Instants& at,
+                 const std::vector<VibrationWindow>& driven,
+                 HeldStretch& stretch) const;
+  /// @param windows  of the instants. @param loaded  whose loads count.
+  Excited most_excited(const Motion& motion, const Instants& at,
+                       const std::vector<VibrationWindow>& windows,
+                       const std::vector<VibrationWindow>& loaded) const;
 
   const PartJob& job_;
   std::vector<std::optional<Motion>> motions_;

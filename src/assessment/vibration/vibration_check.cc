@@ -39,17 +39,19 @@ bool has_other_loads(const PartJob& job, const PartResult& result) {
 
 /// Puts the dynamic deflection in place of that at rest; beside other loads
 /// only if it is larger. Its band has the error of both.
-void deflect(bool beside_others, const VibrationResult& found,
+/// @param swept  see HeldStretch.
+void deflect(bool beside_others, const VibrationResult& found, double swept,
              PartResult& result) {
   if (beside_others && found.deflection <= result.deflection) return;
   const double still = result.deflection > 0.0
                            ? result.deflection_high / result.deflection - 1.0
                            : 0.0;
-  const double most = std::max(result.deflection, found.deflection);
+  const double at_rest = result.deflection;
+  const double most = std::max(at_rest, found.deflection);
   const double error = (still + found.error()) * most;
   result.deflection = most;
   result.deflection_low = std::max(0.0, most - error);
-  result.deflection_high = most + error;
+  result.deflection_high = std::max(most, swept * at_rest) + error;
 }
 
 /// At rest, by the degree of the check: the largest of a load set's motion that
@@ -71,9 +73,10 @@ std::optional<double> largest_of(const std::vector<InstantRow>& rows,
 
 /// Puts the dynamic peak on the check's, or on that of its own loads where
 /// others stress the part more at rest.
-/// @pre `found` has a ratio.
+/// @param swept  see HeldStretch. @pre `found` has a ratio.
 void judge_vibration(const LoadSet& set, std::optional<double> largest,
-                     const PartResult& result, VibrationResult& found) {
+                     double swept, const PartResult& result,
+                     VibrationResult& found) {
   const PeakStress& still = judged_peak(result);
   const double low = still.band_low / still.value;
   const double high = still.band_high / still.value;
@@ -90,6 +93,16 @@ void judge_vibration(const LoadSet& set, std::optional<double> largest,
   }
   found.band_low = std::max(0.0, (low - error) * found.peak);
   found.band_high = (high + error) * found.peak;
+  if (swept > 0.0) {
+    const double at_rest = found.peak / *found.ratio;
+    found.band_low =
+        std::min(found.band_low, std::max(0.0, (low - error) * at_rest));
+    found.band_high =
+        std::max(found.band_high, (high + error) * swept * at_rest);
+    found.model += fmt::format(
+        "; slides pass where loads excite it, to {:.3g} times at rest at most",
+        swept);
+  }
   found.governs = of_motion || found.band_high > still.value;
 }
 
@@ -133,9 +146,10 @@ void tell_overflow(VibrationResult& found) {
 }
 
 /// Of one load set; nothing where its loads are followed at rest.
+/// @param swept  the largest of its stretches.
 std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
                                             HeldMotions& held,
-                                            PartResult& result) {
+                                            PartResult& result, double& swept) {
   const LoadSet& given = job.load_sets[s];
   VibrationTimes times{judge_load_pace(job, s, held, result), {}};
   if (!(judged_peak(result).value > 0.0)) return {};
@@ -162,6 +176,7 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
     there.is_stretch = held_stretches.size() > 1;
     there.swing = swing_windows(there.driven, held.first_period(s),
                                 job.part.damping, history.instants.back().time);
+    swept = std::max(swept, stretch.swept);
     stretches.push_back({stretch.hold_time, std::move(there)});
   }
   found = largest_vibration(moving, stretches);
@@ -180,13 +195,14 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
   double seconds = 0.0;
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& given = job.load_sets[s];
-    auto found = vibration_of(job, s, held, result);
+    double swept = 0.0;
+    auto found = vibration_of(job, s, held, result, swept);
     if (!found) continue;
     seconds += found->seconds;
     if (found->ratio) {
       judge_vibration(followed_loads(given), largest_of(rows, s, given, result),
-                      result, *found);
-      deflect(has_other_loads(job, result), *found, result);
+                      swept, result, *found);
+      deflect(has_other_loads(job, result), *found, swept, result);
       result.swings.resize(job.load_sets.size());
       result.swings[s] = {
           .stress = std::max(1.0, *found->ratio),

@@ -17,15 +17,14 @@ struct Onset {
   Index coordinate{};
 };
 
-/// Oscillators of one period, one per coordinate.
+/// Oscillators of one period at a time, one per coordinate.
 class Oscillators {
  public:
-  Oscillators(const LoadPath& path, const ArrayXd& largest, double period,
-              double damping, double least)
+  /// @param periods  by instant [s].
+  Oscillators(const LoadPath& path, const ArrayXd& largest,
+              const Eigen::VectorXd& periods, double damping, double least)
       : path_(path),
         scale_((largest > 0.0).select(1.0 / largest, 0.0)),
-        omega_(2.0 * std::numbers::pi / period),
-        period_(period),
         damping_(damping),
         least_(least),
         state_{ArrayXd::Zero(largest.size()), ArrayXd::Zero(largest.size())},
@@ -35,6 +34,8 @@ class Oscillators {
         timed_(settled_),
         time_(settled_) {
     for (Index i = 0; i + 1 < path.size(); ++i) {
+      period_ = std::sqrt(periods[i] * periods[i + 1]);
+      omega_ = 2.0 * std::numbers::pi / period_;
       state_.rate -= path.bend(i).array();
       if (path.is_jump(i)) {
         state_.w -= (path.values().col(i + 1) - path.values().col(i)).array();
@@ -122,7 +123,8 @@ class Oscillators {
 
   const LoadPath& path_;
   ArrayXd scale_;
-  double omega_, period_, damping_, least_;
+  double damping_, least_;
+  double omega_{}, period_{};  ///< of the interval
   SwingState state_;
   ArrayXd settled_, most_swing_;  ///< of the swing since it last grew
   ArrayXd reach_;                 ///< largest answer
@@ -140,12 +142,24 @@ ResponseSpectrum response_spectrum(const LoadPath& path,
   const ArrayXd largest =
       path.values().rowwise().lpNorm<Eigen::Infinity>().array();
   for (const double period : periods) {
-    Oscillators(path, largest, period, damping, least).add_to(spectrum);
+    const auto constant = Eigen::VectorXd::Constant(path.size(), period);
+    Oscillators(path, largest, constant, damping, least).add_to(spectrum);
   }
   std::ranges::sort(spectrum.onsets);
   spectrum.onsets.erase(std::ranges::unique(spectrum.onsets).begin(),
                         spectrum.onsets.end());
   return spectrum;
+}
+
+double swept_amplification(const LoadPath& path, const Eigen::VectorXd& periods,
+                           double damping) {
+  constexpr double kAny = 1.0;
+  ResponseSpectrum spectrum;
+  if (path.size() < 2 || path.coordinates() == 0) return kAny;
+  const ArrayXd largest =
+      path.values().rowwise().lpNorm<Eigen::Infinity>().array();
+  Oscillators(path, largest, periods, damping, kAny).add_to(spectrum);
+  return spectrum.amplification;
 }
 
 }  // namespace clevis::dynamics

@@ -29,4 +29,10 @@ ResponseSpectrum response_spectrum(const LoadPath& path,
                                    const Eigen::VectorXd& periods,
                                    double damping, double least);
 
+/// Largest answer, likewise, of an oscillator whose frequency changes meanwhile
+/// [1].
+/// @param periods  by instant of the path [s].
+double swept_amplification(const LoadPath& path, const Eigen::VectorXd& periods,
+                           double damping);
+
 }  // namespace clevis::dynamics

@@ -101,9 +101,9 @@ BucklingOnSprings::BucklingOnSprings(const BucklingProblem& problem,
 }
 
 MatrixXd BucklingOnSprings::means_at(Index instant) const {
-  return seat_means(
-      problem_.discretization, history_.seats,
-      history_.instants[static_cast<std::size_t>(instant)].zones, name_);
+  return seat_means(problem_.discretization, history_.seats,
+                    history_.instants[static_cast<std::size_t>(instant)].zones,
+                    name_);
 }
 
 bool BucklingOnSprings::is_sprung(Index instant) const {

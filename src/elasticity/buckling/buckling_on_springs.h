@@ -77,7 +77,7 @@ class BucklingOnSprings {
   std::string name_;
   std::vector<Eigen::Index> instants_;
   bool stands_ = false, hold_alone_ = false;
-  Eigen::MatrixXd rigid_;    ///< motions of the part, dofs × motions
+  Eigen::MatrixXd rigid_;  ///< motions of the part, dofs × motions
   /// Of the seats by these, six each × motions: wherever slides touch.
   Eigen::MatrixXd motions_;
 };

@@ -10,6 +10,7 @@
 #include "elasticity/holds/bore_pieces.h"
 #include "elasticity/nodal_loads/seat_means.h"
 #include "loads/history/motion_instants.h"
+#include "loads/holds/spread_seats.h"
 
 namespace clevis::elasticity {
 namespace {
@@ -47,55 +48,19 @@ Matrix3d virial_of(const Eigen::Ref<const VectorXd>& forces,
   });
 }
 
-/// A place of a surface, and its share [1].
-using Share = std::pair<std::size_t, double>;
-
 /// A seat's surface.
 struct SeatSurface {
   /// Its mean motions, which are nodal forces of unit wrenches as well; of a
   /// slide those of what is touched, at some of its places; of a bore in pieces
   /// those of each behind those of all.
   std::vector<NodeFunctionals<3>> motions;
-  std::vector<std::vector<Share>> shares;  ///< of the places, by instant
-  std::vector<Matrix3d> virials;           ///< of its loads, by instant [N m]
+  std::vector<std::vector<loads::PlaceShare>>
+      shares;                     ///< of the places, by instant
+  std::vector<Matrix3d> virials;  ///< of its loads, by instant [N m]
   /// Of the loads on each piece about its own centre, by instant; they are not
   /// in the virials of the whole.
   std::vector<std::vector<Matrix3d>> of_pieces = {};
 };
-
-/// Instants of a slide's motion whose places are spread evenly over its way,
-/// by rising place.
-/// @param places  [m]; nothing known: NaN.
-std::vector<std::size_t> spread_places(const std::vector<double>& places) {
-  constexpr int kSteps = 8;  // what lies between is linear to 1/64 of its bow
-  const auto ends = loads::ends_of(places);
-  const double low = ends.first, high = ends.second;
-  std::vector<std::size_t> found;
-  if (!(low <= high)) return found;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double wanted = low + (high - low) * k / kSteps;
-    const auto off = [&](double place) {
-      return std::isfinite(place) ? std::abs(place - wanted) : HUGE_VAL;
-    };
-    const auto nearest = static_cast<std::size_t>(
-        std::ranges::min_element(places, {}, off) - places.begin());
-    if (found.empty() || places[nearest] > places[found.back()]) {
-      found.push_back(nearest);
-    }
-  }
-  return found;
-}
-
-/// Of a place between some that rise.
-std::vector<Share> shares_of(double place, const std::vector<double>& known) {
-  const auto above = std::ranges::upper_bound(known, place);
-  if (above == known.begin()) return {{0, 1.0}};
-  const auto next = static_cast<std::size_t>(above - known.begin());
-  if (above == known.end()) return {{next - 1, 1.0}};
-  const double share =
-      (place - known[next - 1]) / (known[next] - known[next - 1]);
-  return {{next - 1, 1.0 - share}, {next, share}};
-}
 
 /// Virials of a slide: its loads count as they act on the mean motions of what
 /// is touched; a guide's pressure on a round wall as through its axis.
@@ -139,7 +104,8 @@ SeatSurface touched_surface(const Discretization<3>& discretization,
   const std::vector<double> places = loads::places_on_wall(history, s);
   SeatSurface surface;
   std::vector<double> known;
-  for (const std::size_t i : spread_places(places)) {
+  constexpr int kSteps = 8;  // what lies between is linear to 1/64 of its bow
+  for (const std::size_t i : loads::spread_places(places, kSteps)) {
     known.push_back(places[i]);
     surface.motions.push_back(motions({history.instants[i].zones[s]}));
   }
@@ -149,8 +115,9 @@ SeatSurface touched_surface(const Discretization<3>& discretization,
     if (!is_known && surface.motions.size() == whole) {
       surface.motions.push_back(motions({}));
     }
-    surface.shares.push_back(is_known ? shares_of(places[i], known)
-                                      : std::vector<Share>{{whole, 1.0}});
+    surface.shares.push_back(
+        is_known ? loads::shares_of(places[i], known)
+                 : std::vector<loads::PlaceShare>{{whole, 1.0}});
   }
   surface.virials = virials_of_slide(surface, positions, history, s, places);
   return surface;

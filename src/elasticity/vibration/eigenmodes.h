@@ -52,11 +52,12 @@ class FirstPeriods {
   /// @param hold_time  as of loads::LoadHistory [s]. @return [s].
   /// @throws Error F001, F002, F003, F004, M005.
   double at(double hold_time);
-  /// Few shapes of a part without supports, for holds of these wrenches at the
+  /// Few shapes of a part without supports, for holds of these wrenches at
   /// seats; nothing where supports hold it.
-  /// @param zones  as of loads::SeatHold. @throws Error as at().
+  /// @param wrenches  6 n × columns, force [1] above moment [m].
+  /// @param zones  of the seats, as of seat_means(). @throws Error as at().
   std::optional<SeatShapes> seat_shapes(
-      const Eigen::MatrixXd& wrenches,
+      const Eigen::MatrixXd& wrenches, const std::vector<loads::Seat>& seats,
       const std::vector<loads::ContactZone>& zones) requires(dim == 3);
 
  private:

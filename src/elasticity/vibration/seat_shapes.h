@@ -53,7 +53,7 @@ class SeatShapes {
   /// @param hold  with a spin.
   std::vector<Moved> moved_by_spin(const loads::SeatHold& hold) const;
 
-  /// Components along `seats` of wrenches, 6 n × columns.
+  /// Components along `seats` of wrenches, 6 n × columns [N], [N m].
   Eigen::MatrixXd along_seats(const Eigen::MatrixXd& wrenches) const;
 
  private:

@@ -119,7 +119,8 @@ SeatHold held_slowly(SeatHold hold) {
   return hold;
 }
 
-SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
+SeatHold with_wrenches(
+    SeatHold hold, const std::function<MatrixXd(const MatrixXd&)>& changed) {
   std::vector<MatrixXd*> of_seats = {&hold.held, &hold.weighed, &hold.sprung,
                                      &hold.damped};
   if (hold.swinging) {
@@ -127,18 +128,21 @@ SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
     of_seats.insert(of_seats.end(),
                     {&swinging.held, &swinging.sprung, &swinging.damped});
   }
-  for (MatrixXd* wrenches : of_seats) {
-    MatrixXd all =
-        MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches->cols());
-    all.topRows(wrenches->rows()) = *wrenches;
-    *wrenches = std::move(all);
-  }
+  for (MatrixXd* wrenches : of_seats) *wrenches = changed(*wrenches);
   if (hold.spin.size() > 0) {
-    const Index size = kWrench * static_cast<Index>(seats);
-    MatrixXd all = MatrixXd::Zero(size, size);
-    all.topLeftCorner(hold.spin.rows(), hold.spin.cols()) = hold.spin;
-    hold.spin = std::move(all);
+    const MatrixXd half = changed(hold.spin);
+    hold.spin = changed(half.transpose()).transpose();
   }
+  return hold;
+}
+
+SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
+  hold = with_wrenches(std::move(hold), [&](const MatrixXd& wrenches) {
+    MatrixXd all =
+        MatrixXd::Zero(kWrench * static_cast<Index>(seats), wrenches.cols());
+    all.topRows(wrenches.rows()) = wrenches;
+    return all;
+  });
   if (!hold.zones.empty()) hold.zones.resize(seats);
   return hold;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "loads/history/load_history.h"
 #include "mechanism/definition/motion.h"
@@ -20,6 +23,12 @@ SeatHold seat_hold(const mechanism::Neighbours& neighbours,
 /// the part gives way slowly, those bodies at rest between their springs and
 /// joints.
 SeatHold held_slowly(SeatHold hold);
+
+/// The same with other wrenches, of as many rows each, where it has any.
+/// @param changed  6 n × columns -> 6 m × columns, linear [1].
+SeatHold with_wrenches(
+    SeatHold hold,
+    const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& changed);
 
 /// The same of a history that has got more seats behind its own, which hold and
 /// weigh nothing.

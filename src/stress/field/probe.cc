@@ -1,5 +1,6 @@
 #include "stress/field/probe.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -75,6 +76,40 @@ bool invert(const elasticity::Discretization<dim>& discretization,
   return false;
 }
 
+/// The nearest reference coordinates in the cell, or nearly so.
+template <int dim>
+Point<dim> pulled_in(mesh::CellShape shape, const Point<dim>& xi) {
+  const Point<dim> low = xi.cwiseMax(0.0);
+  if (shape != mesh::CellShape::kSimplex) return low.cwiseMin(1.0);
+  return low / std::max(1.0, low.sum());
+}
+
+/// The cell whose surface is next to a point that none holds.
+template <int dim>
+Location<dim> next_to(const elasticity::Discretization<dim>& discretization,
+                      const Point<dim>& x, double bulge) {
+  Location<dim> nearest;
+  double least = bulge;
+  for (std::size_t c = 0; c < discretization.cell_points.size(); ++c) {
+    Point<dim> xi;
+    const auto& points = discretization.cell_points[c];
+    if (!in_bounds<dim>(points, x) || !invert<dim>(discretization, c, x, xi)) {
+      continue;
+    }
+    const elasticity::ReferencePoints<dim> inside =
+        pulled_in<dim>(discretization.shape, xi);
+    const auto there = elasticity::cell_geometry<dim>(
+        points,
+        elasticity::CellInterpolation<dim>(
+            discretization.shape, discretization.mapping_degree(), inside));
+    const double off = (there.points.col(0) - x).norm() / size_of<dim>(points);
+    if (off > least) continue;
+    least = off;
+    nearest = {{static_cast<int>(c), inside}};
+  }
+  return nearest;
+}
+
 /// Index of a quantity "stress_xy" among xx, yy, zz, xy, yz, xz.
 Index stress_component(const std::string& quantity) {
   constexpr std::array<const char*, 6> kNames = {"stress_xx", "stress_yy",
@@ -100,7 +135,7 @@ double take(const std::string& quantity, const MatrixXd& stress,
 
 template <int dim>
 Location<dim> locate(const elasticity::Discretization<dim>& discretization,
-                     const Eigen::Vector3d& at) {
+                     const Eigen::Vector3d& at, double bulge) {
   Location<dim> location;
   if (dim == 2 && std::abs(at.z() - discretization.mid_plane_z) >
                       (0.5 + kOutside) * discretization.thickness) {
@@ -118,6 +153,7 @@ Location<dim> locate(const elasticity::Discretization<dim>& discretization,
     }
     location.emplace_back(static_cast<int>(c), xi);
   }
+  if (location.empty()) return next_to<dim>(discretization, x, bulge);
   return location;
 }
 
@@ -151,7 +187,7 @@ PointValue probe(const elasticity::DisplacementBasis<dim>& basis,
 
 #define CLEVIS_INSTANTIATE(dim)                                               \
   template Location<dim> locate<dim>(const elasticity::Discretization<dim>&,  \
-                                     const Eigen::Vector3d&);                 \
+                                     const Eigen::Vector3d&, double);         \
   template PointValue probe<dim>(const elasticity::DisplacementBasis<dim>&,   \
                                  const part::Material&, const Location<dim>&, \
                                  const std::string&, int);

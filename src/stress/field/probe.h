@@ -17,11 +17,13 @@ template <int dim>
 using Location = std::vector<std::pair<int, Eigen::Matrix<double, dim, 1>>>;
 
 /// Finds a point of L [m] by Newton's method on the cells whose bounds hold it;
-/// to 1e-6 of a cell. Empty if the point is outside the part. For dim = 2 the
-/// point may lie anywhere in the thickness.
+/// to 1e-6 of a cell. One that no cell holds stands in the nearest, on its
+/// surface: curved walls bulge out of cells. Empty if it is outside the part.
+/// For dim = 2 the point may lie anywhere in the thickness.
+/// @param bulge  how far a wall may stand off, over a cell's size [1].
 template <int dim>
 Location<dim> locate(const elasticity::Discretization<dim>& discretization,
-                     const Eigen::Vector3d& at);
+                     const Eigen::Vector3d& at, double bulge);
 
 /// A quantity at a point; SI.
 struct PointValue {

@@ -40,9 +40,10 @@ double peak_of(const DisplacementBasis<dim>& basis) {
 
 template <int dim>
 double probe_of(const DisplacementBasis<dim>& basis, const BandProbe& probe) {
-  return stress::probe<dim>(basis, band_material(),
-                            stress::locate<dim>(basis.discretization, probe.at),
-                            probe.quantity, 0)
+  return stress::probe<dim>(
+             basis, band_material(),
+             stress::locate<dim>(basis.discretization, probe.at, 0.0),
+             probe.quantity, 0)
       .value;
 }
 
@@ -72,7 +73,7 @@ class Nearby {
   double probe(const BandProbe& probe) const {
     std::vector<int> cells;
     for (const auto& [cell, xi] :
-         stress::locate<dim>(basis_.discretization, probe.at)) {
+         stress::locate<dim>(basis_.discretization, probe.at, 0.0)) {
       cells.push_back(cell);
     }
     return probe_of<dim>(at(cells).basis, probe);

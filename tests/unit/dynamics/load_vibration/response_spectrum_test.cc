@@ -112,5 +112,62 @@ TEST(ResponseSpectrum, EachCoordinateByItself) {
   EXPECT_NEAR(found.amplification, 2.0, 0.02);
 }
 
+/// Even instants, and the period of an oscillator at each.
+struct Sweep {
+  LoadPath path;
+  VectorXd periods;
+};
+Sweep sweep(double duration, double step, double (*load)(double t),
+            double (*period)(double t)) {
+  std::vector<std::pair<double, double>> knots{{0, 0}};
+  VectorXd periods(static_cast<Index>(duration / step) + 2);
+  periods[0] = period(0.0);
+  for (Index i = 1; i < periods.size(); ++i) {
+    const double t = step * static_cast<double>(i - 1);
+    knots.emplace_back(t == 0.0 ? 1e-12 : t, load(t));
+    periods[i] = period(t);
+  }
+  return {path_of(knots), periods};
+}
+
+TEST(SweptAmplification, OfOnePeriodIsThatOfItsSpectrum) {
+  const LoadPath path = cycles(12, 1.0, [](double turn) {
+    return std::sin(turn);
+  });
+  EXPECT_EQ(
+      swept_amplification(path, VectorXd::Constant(path.size(), 1.03), 0.01),
+      spectrum(path, 1.03, 0.01).amplification);
+}
+
+// A swing's energy goes as its frequency where that changes slowly: of a fourth
+// of the frequency twice the swing.
+TEST(SweptAmplification, SwingsGrowAsTheFrequencyFalls) {
+  const auto [path, periods] = sweep(
+      120.0, 0.1,
+      [](double) {
+        return 1.0;
+      },
+      [](double t) {
+        return 1.0 + 3.0 * std::min(1.0, t / 100.0);
+      });
+  EXPECT_NEAR(swept_amplification(path, periods, 0.0), 1.0 + 2.0, 0.06);
+}
+
+// Through the frequency of a sine, at a rate r [1/s^2]: the largest of
+// Fresnel's integral, 1.17 of its end, (ω/2) √(2 π/r).
+TEST(SweptAmplification, PassesAResonance) {
+  const auto [path, periods] = sweep(
+      100.0, 0.02,
+      [](double t) {
+        return std::sin(2.0 * kPi * t);
+      },
+      [](double t) {
+        return 1.0 / (0.7 + 0.6 * t / 100.0);
+      });
+  const double rate = 2.0 * kPi * 0.6 / 100.0;
+  const double passed = 1.17 * kPi * std::sqrt(2.0 * kPi / rate);
+  EXPECT_NEAR(swept_amplification(path, periods, 0.0), passed, 0.05 * passed);
+}
+
 }  // namespace
 }  // namespace clevis::dynamics
