@@ -34,7 +34,8 @@ bool is_round(const std::string& name) {
 }
 
 void check_facet(const PartMesh<3>& mesh, const part::Bore& bore,
-                 const std::vector<unsigned>& cycle, const std::string& place) {
+                 const std::vector<unsigned>& cycle, bool is_wall,
+                 const std::string& place) {
   constexpr double kWidest = 89.9 * std::numbers::pi / 180.0;
   Vector3d middle = Vector3d::Zero();
   for (const unsigned a : cycle) {
@@ -48,6 +49,7 @@ void check_facet(const PartMesh<3>& mesh, const part::Bore& bore,
       }
     }
   }
+  if (is_wall) return;  // however steep where the bore ends on a round
   const Vector3d outward = (project(bore, middle) - middle).normalized();
   const Vector3d normal = area_vector(mesh, cycle).normalized();
   // A lid whose corners happen to lie on the cylinder is no part of its wall.
@@ -138,13 +140,33 @@ Facets curved_triangles_of(const PartMesh<3>& mesh, int group) {
   return facets;
 }
 
+/// @pre the file is of order 2 or more.
+Facets curved_facets_of(const PartMesh<3>& mesh, int group) {
+  return mesh.shape == CellShape::kTensor ? curved_quadrangles_of(mesh, group)
+                                          : curved_triangles_of(mesh, group);
+}
+
+/// Whether the nodes of each curved face lie on the cylinder: those of a lid
+/// lie on its chords.
+std::vector<bool> are_wall(const PartMesh<3>& mesh, int group,
+                           const Facets& facets, const part::Bore& bore) {
+  constexpr double kOff = 1e-3;  // of the radius
+  std::vector<bool> all(facets.cycles.size(), false);
+  if (mesh.degree == 1 || all.empty()) return all;
+  const Facets curved = curved_facets_of(mesh, group);
+  const Index nodes = curved.points.cols() / std::ssize(all);
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    all[f] = worst_distance(curved.points.middleCols(Index(f) * nodes, nodes),
+                            bore) <= kOff * bore.radius;
+  }
+  return all;
+}
+
 /// The cylinder of a group whose corners alone do not determine it.
 part::Bore fit_one_facet_wide(const PartMesh<3>& mesh, int group,
                               const std::string& place) {
   if (mesh.degree > 1) {
-    const Facets curved = mesh.shape == CellShape::kTensor
-                              ? curved_quadrangles_of(mesh, group)
-                              : curved_triangles_of(mesh, group);
+    const Facets curved = curved_facets_of(mesh, group);
     if (determine_axis(curved.normals)) {
       return fit_cylinder(curved.points, curved.normals, place).bore;
     }
@@ -152,7 +174,7 @@ part::Bore fit_one_facet_wide(const PartMesh<3>& mesh, int group,
   return fit_tangent_cylinder(mesh, group, place);
 }
 
-void check_group(const PartMesh<3>& mesh, const Facets& facets,
+void check_group(const PartMesh<3>& mesh, int group, const Facets& facets,
                  const part::Bore& bore, const std::string& place) {
   const double worst = worst_distance(facets.points, bore);
   if (!(worst <= 1e-5 * bore.radius)) {
@@ -161,8 +183,9 @@ void check_group(const PartMesh<3>& mesh, const Facets& facets,
                        "has a radius of {:.6g} mm",
                        1e3 * worst, 1e3 * bore.radius));
   }
-  for (const auto& cycle : facets.cycles) {
-    check_facet(mesh, bore, cycle, place);
+  const auto wall = are_wall(mesh, group, facets, bore);
+  for (std::size_t f = 0; f < facets.cycles.size(); ++f) {
+    check_facet(mesh, bore, facets.cycles[f], wall[f], place);
   }
 }
 
@@ -181,7 +204,7 @@ void fit_cylinder_groups(PartMesh<3>& mesh, const std::string& file) {
           alone ? fit_cylinder(facets.points, facets.normals, place).bore
                 : fit_one_facet_wide(mesh, int(g), place);
       set_extent(facets.points, bore);
-      check_group(mesh, facets, bore, place);
+      check_group(mesh, int(g), facets, bore, place);
       group.cylinder = bore;
     }
   }

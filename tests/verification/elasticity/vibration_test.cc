@@ -10,6 +10,7 @@
 #include "elasticity/assembly/supports.h"
 #include "elasticity/vibration/eigenmodes.h"
 #include "elasticity/vibration/vibrating_part.h"
+#include "loads/holds/spread_seats.h"
 #include "support/convergence.h"
 #include "support/structured_mesh.h"
 #include "support/weld.h"
@@ -164,6 +165,56 @@ double frequency_of_rod(double length, double side, double mass, double turn,
   return low;
 }
 
+/// A bar in a guide that travels, at places between those of its shapes: by the
+/// cubic to a per cent, where lines have three.
+TEST(SeatShapes, BarInAGuideThatTravels) {
+  const double length = 0.4, height = 0.005, guide = 0.06;
+  const int last = 80;
+  const auto mesh = block_mesh({40, 1, 2}, {length, height, 0.02});
+  loads::LoadHistory history;
+  loads::Seat& seat = history.seats.emplace_back();
+  seat = {.name = "guide", .group = "y0", .kind = loads::SeatKind::kTraction};
+  seat.p_LS = {0.5 * length, 0.5 * height, 0.01};
+  seat.slide =
+      loads::SlideWall{.normal_L = Eigen::Vector3d::UnitY(), .opposite = "y1"};
+  seat.slide->across_L = Eigen::Vector3d::UnitZ();
+  loads::SeatHold hold;
+  hold.held = Eigen::MatrixXd::Identity(6, 6).rightCols(5);
+  hold.weighed = Eigen::MatrixXd::Zero(6, 0);
+  for (int i = 0; i <= last; ++i) {
+    loads::InstantLoad& instant = history.instants.emplace_back();
+    instant.time = i;
+    instant.wrenches.resize(1);
+    loads::ContactZone& zone = instant.zones.emplace_back();
+    const double middle = 0.15 - 0.3 * i / last;
+    zone.low[0] = middle - 0.5 * guide;
+    zone.high[0] = middle + 0.5 * guide;
+  }
+  history.hold = [&](double time) {
+    loads::SeatHold there = hold;
+    there.zones = history.instants[static_cast<std::size_t>(time)].zones;
+    return there;
+  };
+  const loads::SpreadSeats seats(history, 8, 1e-3);
+  ASSERT_TRUE(seats.travels());
+  std::vector<loads::SeatHold> holds;
+  for (int i = 0; i <= last; i += 2) {
+    holds.push_back(seats.spread(history.hold(i), static_cast<std::size_t>(i)));
+  }
+  elasticity::FirstPeriods<3> periods({mesh, kSteel, history, {}, "bar"}, 2);
+  const auto shapes = periods.seat_shapes(elasticity::span_of(holds, {}),
+                                          seats.seats(), seats.zones());
+  ASSERT_TRUE(shapes);
+  for (const std::size_t i : {0U, 5U, 14U, 33U, 45U, 75U, 80U}) {
+    const auto there = static_cast<double>(i);
+    const double first = std::sqrt(
+        shapes->held_by(seats.spread(history.hold(there), i)).squares[0]);
+    EXPECT_NEAR(first * periods.at(there) / (2.0 * std::numbers::pi), 1.0,
+                0.012)
+        << i;
+  }
+}
+
 /// A rod that is held at one end carries a rotor on the other.
 TEST(SeatShapes, RotorOnTheEndOfARod) {
   const double length = 0.5, side = 0.01, mass = 1.0, turn = 0.05;
@@ -188,7 +239,8 @@ TEST(SeatShapes, RotorOnTheEndOfARod) {
   hold.spin = Eigen::MatrixXd::Zero(12, 12);
   hold.spin(10, 11) = h;  // θ' × h along x
   hold.spin(11, 10) = -h;
-  const auto shapes = periods.seat_shapes(elasticity::span_of({hold}, {}), {});
+  const auto shapes =
+      periods.seat_shapes(elasticity::span_of({hold}, {}), history.seats, {});
   ASSERT_TRUE(shapes);
   const double first = std::sqrt(shapes->held_by(hold).squares[0]);
   EXPECT_NEAR(first * periods.at(0.0) / (2.0 * std::numbers::pi), 1.0, 1e-4);
