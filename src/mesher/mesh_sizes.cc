@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -53,6 +55,26 @@ double wall(IntCurvesFace_ShapeIntersector& solid, const gp_Pnt& from,
   const double start = 1e-5 * reach;
   solid.PerformNearest(gp_Lin(from, inwards), start, reach);
   return solid.IsDone() && solid.NbPnt() > 0 ? solid.WParameter(1) : kFar;
+}
+
+/// A place on a face.
+struct Sample {
+  gp_Pnt at;        ///< [mm]
+  double curved{};  ///< curved_size() [mm]
+  double thick{};   ///< wall() [mm]
+};
+
+/// Of most of a face, where it is so thin beside the way from sample to sample
+/// that these would be islands of small cells [mm].
+/// @param apart  of samples [mm].
+std::optional<double> thin_wall(std::vector<Sample> samples, double apart) {
+  constexpr double kThin = 0.15;
+  if (samples.empty()) return std::nullopt;
+  const auto middle =
+      samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+  std::ranges::nth_element(samples, middle, {}, &Sample::thick);
+  if (!(middle->thick < kThin * apart)) return std::nullopt;
+  return middle->thick;
 }
 
 /// Size on a wall that is thin beside the face: cells may be longer than it is
@@ -118,9 +140,7 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
     const double turn = seats.contains(f) ? kTurnOfSeat : kTurn;
     double u0{}, u1{}, v0{}, v1{}, finest = largest_;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
-    // Where it is thinner samples are islands of small cells.
-    constexpr double kThin = 0.15;
-    const double thin = kThin * diagonal(face) / (kSamples - 1);
+    std::vector<Sample> samples;
     for (int i = 0; i < kSamples * kSamples; ++i) {
       const double u = u0 + (u1 - u0) * (i % kSamples) / (kSamples - 1);
       const double v = v0 + (v1 - v0) * (i / kSamples) / (kSamples - 1);
@@ -130,19 +150,20 @@ void MeshSizes::add_faces(const TopoDS_Solid& solid, double fineness,
       const gp_Dir normal = face.Orientation() == TopAbs_REVERSED
                                 ? here.Normal()
                                 : here.Normal().Reversed();
-      const double curved = curved_size(here, turn) / fineness;
-      const double thick =
-          std::max(wall(intersector, here.Value(), normal, reach),
-                   kThinnest * reach) /
-          fineness;
-      finest = std::min(finest, curved);
-      if (thick < thin) {
-        const double radius_size = curved_size(here, turn);
-        finest = std::min(finest, thin_size(thick, radius_size, turn));
-        continue;
-      }
-      if (std::min(curved, thick) < largest_) {
-        sources_.push_back({here.Value(), std::min(curved, thick), 0.0});
+      const double thick = std::max(
+          wall(intersector, here.Value(), normal, reach), kThinnest * reach);
+      samples.push_back({here.Value(), curved_size(here, turn), thick});
+      finest = std::min(finest, samples.back().curved / fineness);
+    }
+    constexpr double kThinner = 0.5;  // than most
+    const auto thin = thin_wall(samples, diagonal(face) / (kSamples - 1));
+    for (const Sample& sample : samples) {
+      const double size = std::min(sample.curved, sample.thick) / fineness;
+      if (thin && sample.thick > kThinner * *thin) {
+        finest =
+            std::min(finest, thin_size(*thin, sample.curved, turn) / fineness);
+      } else if (size < largest_) {
+        sources_.push_back({sample.at, size, 0.0});
       }
     }
     if (!is_elementary(face)) {

@@ -47,7 +47,9 @@ void deflect(bool beside_others, const VibrationResult& found, double swept,
                            ? result.deflection_high / result.deflection - 1.0
                            : 0.0;
   const double at_rest = result.deflection;
-  const double most = std::max(at_rest, found.deflection);
+  const double swung = swept > 0.0 ? std::min(found.deflection, swept * at_rest)
+                                   : found.deflection;
+  const double most = std::max(at_rest, swung);
   const double error = (still + found.error()) * most;
   result.deflection = most;
   result.deflection_low = std::max(0.0, most - error);
@@ -94,11 +96,12 @@ void judge_vibration(const LoadSet& set, std::optional<double> largest,
   found.band_low = std::max(0.0, (low - error) * found.peak);
   found.band_high = (high + error) * found.peak;
   if (swept > 0.0) {
+    // Held at one place it may swing farther than any that pass.
     const double at_rest = found.peak / *found.ratio;
-    found.band_low =
-        std::min(found.band_low, std::max(0.0, (low - error) * at_rest));
-    found.band_high =
-        std::max(found.band_high, (high + error) * swept * at_rest);
+    found.ratio = std::min(*found.ratio, swept);
+    found.peak = *found.ratio * at_rest;
+    found.band_low = std::max(0.0, (low - error) * at_rest);
+    found.band_high = (high + error) * swept * at_rest;
     found.model += fmt::format(
         "; slides pass where loads excite it, to {:.3g} times at rest at most",
         swept);

@@ -10,20 +10,22 @@
 
 namespace clevis::loads {
 
-bool is_holding_slide(const LoadHistory& history, std::size_t seat) {
-  if (!history.seats[seat].slide) return false;
-  return std::ranges::any_of(
-      holding_groups(history), [&](const HoldingGroups& groups) {
-        return std::ranges::find(groups, holder_of(history.seats, seat)) !=
-               groups.end();
-      });
-}
-
 std::vector<double> places_of_slide(const LoadHistory& history) {
+  const auto& seats = history.seats;
+  if (std::ranges::none_of(seats, [](const Seat& seat) {
+        return !!seat.slide;
+      })) {
+    return {};
+  }
+  const auto holds = holding_groups(history);
   std::vector<double> found;
   double longest = -1.0;
-  for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    if (!is_holding_slide(history, s)) continue;
+  for (std::size_t s = 0; s < seats.size(); ++s) {
+    if (!seats[s].slide || std::ranges::none_of(holds, [&](const auto& groups) {
+          return std::ranges::find(groups, holder_of(seats, s)) != groups.end();
+        })) {
+      continue;
+    }
     std::vector<double> places = places_on_wall(history, s);
     const auto [low, high] = ends_of(places);
     if (!(high - low > longest)) continue;

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "loads/history/load_history.h"
 
 namespace clevis::loads {
-
-/// Whether a seat is a slide that holds the part in a motion.
-bool is_holding_slide(const LoadHistory& history, std::size_t seat);
 
 /// Middles of what is touched of the wall of a slide that holds a part, by
 /// instant of the motion [m], as of places_on_wall(); of the slide that goes

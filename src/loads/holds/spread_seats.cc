@@ -5,7 +5,6 @@
 
 #include "loads/history/motion_instants.h"
 #include "loads/holds/seat_hold.h"
-#include "loads/holds/slide_places.h"
 
 namespace clevis::loads {
 namespace {
@@ -97,7 +96,7 @@ SpreadSeats::SpreadSeats(const LoadHistory& history, int steps, double least) {
       zones_.push_back(zone_at(instant, s));
     };
     std::vector<double> places;
-    if (is_holding_slide(history, s)) places = places_on_wall(history, s);
+    if (history.seats[s].slide) places = places_on_wall(history, s);
     const auto [low, high] = ends_of(places);
     if (!(high - low > least)) {
       add(0);

@@ -26,9 +26,9 @@ std::vector<PlaceShare> shares_of(double place,
 std::vector<PlaceShare> cubic_shares_of(double place,
                                         const std::vector<double>& known);
 
-/// A part's seats, of which each slide that holds it and travels is taken apart
-/// into seats of their own at places of its way: what it takes in between is
-/// shared by the four next to it.
+/// A part's seats, of which each slide that travels, be it that it holds the
+/// part or weighs on it, is taken apart into seats of their own at places of
+/// its way: what it takes in between is shared by the four next to it.
 class SpreadSeats {
  public:
   /// @param steps  of a way. @param least  way that counts as one [m].

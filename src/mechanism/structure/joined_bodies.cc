@@ -30,13 +30,38 @@ class BodySets {
   std::vector<std::size_t> parent_;
 };
 
-/// Motions between a joint's bodies that it or its drives prescribe.
+/// Turns between a joint's bodies that it or its drives prescribe.
 std::ptrdiff_t held_by_joint(const MechanismDefinition& mechanism,
                              std::size_t joint) {
-  return std::ssize(constrained_rows(mechanism.joints[joint].type,
-                                     Motions::kSpatial)) +
-         std::ranges::count(mechanism.drives, static_cast<int>(joint),
-                            &DriveDefinition::joint);
+  const JointType type = mechanism.joints[joint].type;
+  return std::ranges::count_if(constrained_rows(type, Motions::kSpatial),
+                               &JointRow::is_angle) +
+         std::ranges::count_if(
+             mechanism.drives, [&](const DriveDefinition& drive) {
+               return drive.joint == static_cast<int>(joint) &&
+                      coordinate_row(type, drive.coordinate).is_angle();
+             });
+}
+
+/// Whether a joint with so many turns held hands bending on: what slides along
+/// an axis may turn about it. Not a rod on gas in its cylinder that no drive
+/// moves: what both bear together is not known well enough.
+bool hands_on(const MechanismDefinition& mechanism, std::size_t joint,
+              std::ptrdiff_t turns) {
+  const auto number = static_cast<int>(joint);
+  const JointType type = mechanism.joints[joint].type;
+  if (traits(type).slide_directions != 1) return turns >= 3;
+  const bool is_driven =
+      std::ranges::any_of(mechanism.drives, [&](const DriveDefinition& drive) {
+        return drive.joint == number;
+      });
+  const bool is_on_gas =
+      std::ranges::any_of(mechanism.elements, [&](const ForceElement& element) {
+        const ElementLine* line = line_of(element);
+        return line != nullptr && line->kind == ElementLine::Kind::kJoint &&
+               line->joint == number && properties(element).gas != nullptr;
+      });
+  return turns >= 2 && (is_driven || !is_on_gas);
 }
 
 /// Whether an element yields about a position; gas only presses.
@@ -94,17 +119,16 @@ std::vector<std::vector<BodyIndex>> united(const MechanismDefinition& mechanism,
 }  // namespace
 
 JoinedBodies joined_bodies(const MechanismDefinition& mechanism) {
-  constexpr std::ptrdiff_t kMotions = 6;
   const Pairs all = joined_by(mechanism, [](std::size_t) {
     return true;
   });
   const Pairs stiff = joined_by(mechanism, [&](std::size_t joint) {
-    return held_by_joint(mechanism, joint) == kMotions;
+    return hands_on(mechanism, joint, held_by_joint(mechanism, joint));
   });
   Pairs elastic = joined_by(mechanism, [&](std::size_t joint) {
-    return held_by_joint(mechanism, joint) +
-               held_by_elements(mechanism, joint) >=
-           kMotions;
+    return hands_on(
+        mechanism, joint,
+        held_by_joint(mechanism, joint) + held_by_elements(mechanism, joint));
   });
   for (const ForceElement& element : mechanism.elements) {
     if (line_of(element) != nullptr || !holds_position(element)) continue;

@@ -10,11 +10,11 @@ namespace clevis::mechanism {
 struct JoinedBodies {
   /// By any joint, without the ground.
   std::vector<std::vector<BodyIndex>> moving;
-  /// By welds, and by joints whose motions drives prescribe: they hand all
-  /// moments on.
+  /// By welds, slides and joints whose turns drives prescribe: they hand
+  /// bending on, whoever holds the way of a slide.
   std::vector<std::vector<BodyIndex>> stiffly;
-  /// By these, and where force elements that hold a position take what joints
-  /// and drives leave: moments are handed on, too. So by a bushing alone.
+  /// By these, and where force elements that hold an angle take what joints
+  /// and drives leave: bending is handed on, too. So by a bushing alone.
   std::vector<std::vector<BodyIndex>> elastically;
 };
 JoinedBodies joined_bodies(const MechanismDefinition& mechanism);

@@ -17,9 +17,32 @@ TEST(JoinedBodies, LandingGearHangsTogetherAndItsCylinderIsStiff) {
   // The rod in its driven cylinder, the wheel welded to its arm.
   EXPECT_EQ(joined.stiffly.size(), 2u);
   for (const auto& group : joined.stiffly) EXPECT_EQ(group.size(), 2u);
+  // It bends as one whoever holds the rod's way.
   MechanismDefinition released = gear;
   released.drives.clear();
-  EXPECT_EQ(joined_bodies(released).stiffly.size(), 1u);
+  EXPECT_EQ(joined_bodies(released).stiffly.size(), 2u);
+}
+
+// What slides along an axis hands bending on, a hinge only where it is driven.
+TEST(JoinedBodies, SlidesJoinStiffly) {
+  MechanismDefinition m;
+  m.bodies.resize(2);
+  m.joints.resize(1);
+  m.joints[0].body_a = 0;
+  m.joints[0].body_b = 1;
+  const auto is_stiff = [&](JointType type) {
+    m.joints[0].type = type;
+    return !joined_bodies(m).stiffly.empty();
+  };
+  EXPECT_TRUE(is_stiff(JointType::kPrismatic));
+  EXPECT_TRUE(is_stiff(JointType::kCylindrical));
+  EXPECT_FALSE(is_stiff(JointType::kRevolute));
+  EXPECT_FALSE(is_stiff(JointType::kPlanar));
+  EXPECT_FALSE(is_stiff(JointType::kSpherical));
+  m.drives.emplace_back();
+  m.drives[0].joint = 0;
+  EXPECT_TRUE(is_stiff(JointType::kRevolute));
+  EXPECT_FALSE(is_stiff(JointType::kUniversal));
 }
 
 // A bushing hands moments on, beside a ball or alone; a ball does not.
@@ -41,8 +64,8 @@ TEST(JoinedBodies, BushingsJoinElastically) {
   EXPECT_EQ(joined_bodies(m).elastically.size(), 1u);
 }
 
-// A spring on a hinge hands its moment on; a damper there, or a spring along a
-// slide, does not.
+// A spring on a hinge hands its moment on; a damper there, or a spring on one
+// of two angles, does not.
 TEST(JoinedBodies, SpringsOnAnglesJoinElastically) {
   MechanismDefinition m;
   m.bodies.resize(2);
@@ -59,7 +82,7 @@ TEST(JoinedBodies, SpringsOnAnglesJoinElastically) {
   };
   EXPECT_EQ(joined(JointType::kRevolute, 100.0), 1u);
   EXPECT_EQ(joined(JointType::kRevolute, 0.0), 0u);
-  EXPECT_EQ(joined(JointType::kPrismatic, 100.0), 0u);
+  EXPECT_EQ(joined(JointType::kUniversal, 100.0), 0u);
 }
 
 }  // namespace
