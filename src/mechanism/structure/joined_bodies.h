@@ -11,7 +11,7 @@ struct JoinedBodies {
   /// By any joint, without the ground.
   std::vector<std::vector<BodyIndex>> moving;
   /// By welds, slides and joints whose turns drives prescribe: they hand
-  /// bending on, whoever holds the way of a slide.
+  /// bending on, whoever holds the way of a slide, but for gas.
   std::vector<std::vector<BodyIndex>> stiffly;
   /// By these, and where force elements that hold an angle take what joints
   /// and drives leave: bending is handed on, too. So by a bushing alone.
