@@ -116,11 +116,16 @@ void import_plate(const TopoDS_Solid& solid, const cad::Plate& plate) {
   gmsh::option::setNumber("Mesh.RecombinationAlgorithm", kSubdivided);
 }
 
+std::vector<int> cell_types() {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  return types;
+}
+
 /// @throws Error M010 if there are none, or of a plate others than hexahedra.
 void require_cells(const cad::Request& request) {
   constexpr int kHexahedra27 = 12;  // gmsh's number of the type
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
+  const std::vector<int> types = cell_types();
   if (types.empty()) refuse(request, "gmsh makes no cells of it");
   if (request.plate && types != std::vector{kHexahedra27}) {
     refuse(request, "its plane is not all quadrangles");
@@ -219,12 +224,6 @@ void generate_curved() {
   });
 }
 
-bool has_cells() {
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
-  return !types.empty();
-}
-
 /// How far middle nodes of edges on the surface stand off the edge's middle,
 /// along it, over its length [1].
 double farthest_shift() {
@@ -268,7 +267,7 @@ void generate_without_kinks() {
       if (factor == 1.0) throw;
       return std::nullopt;
     }
-    if (!has_cells()) return std::nullopt;
+    if (cell_types().empty()) return std::nullopt;
     return farthest_shift();
   };
   double best = 0.0, least = 0.0, last = 0.0;

@@ -182,20 +182,17 @@ void make(const std::vector<Flip>& flips, int volume,
 
 }  // namespace
 
-int flip_surface_edges() {
+void flip_surface_edges() {
   constexpr int kMostRounds = 5;  // a flip can give the next cell two faces
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
   const int volume = volumes.at(0).second;
-  int made = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     const auto cells = cells_of<4>(kTetrahedron4, volume);
     const std::vector<Flip> flips = flips_of(cells);
-    if (flips.empty()) break;
+    if (flips.empty()) return;
     make(flips, volume, cells);
-    made += static_cast<int>(flips.size());
   }
-  return made;
 }
 
 }  // namespace clevis::mesher

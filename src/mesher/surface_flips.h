@@ -8,7 +8,6 @@ namespace clevis::mesher {
 /// across becomes the surface's. Stay: cells with three faces there, and those
 /// whose two faces make no convex quadrangle.
 /// @pre the model has one volume.
-/// @return how many were taken out.
-int flip_surface_edges();
+void flip_surface_edges();
 
 }  // namespace clevis::mesher

@@ -30,6 +30,21 @@ def sine(force, frequency, duration):
             f"efforts = {json.dumps([f'{force * math.sin(2 * math.pi * turn):.9f} N' for turn in turns])}")
 
 
+def glide(start, end):
+    """Of the slide, in 1 s; places in mm."""
+    return f"""[[drive]]
+joint = "slide"
+law = "quintic"
+from = "{start} mm"
+to = "{end} mm"
+duration = "1 s"
+
+[simulation]
+duration = "1 s"
+
+"""
+
+
 def rail(folder):
     """A carriage of 0.3 kg glides by 300 mm in 1 s, shaken at 42 Hz, where the rail swings
     with it in its middle."""
@@ -46,14 +61,7 @@ between = ["bar", "carriage"]
 at = {{ bar = ["200 mm", "0 mm", "0 mm"], carriage = ["0 mm", "0 mm", "0 mm"] }}
 axis = [1, 0, 0]
 
-[[drive]]
-joint = "slide"
-law = "quintic"
-from = "-150 mm"
-to = "150 mm"
-duration = "1 s"
-
-[[force]]
+{glide(-150, 150)}[[force]]
 type = "table"
 name = "shake"
 between = ["ground", "carriage"]
@@ -61,9 +69,6 @@ from = ["0 mm", "0 mm", "0 mm"]
 to = ["0 mm", "0 mm", "0 mm"]
 axis = [0, 1, 0]
 {sine(0.5, 42.0, 1.0)}
-
-[simulation]
-duration = "1 s"
 
 {scene_text.BAR}
 limits = {{ safety_factor = 1.5, singular_zones = "exclude" }}
@@ -86,14 +91,7 @@ between = ["ground", "bar"]
 at = {{ ground = ["0 mm", "0 mm", "0 mm"], bar = ["350 mm", "0 mm", "0 mm"] }}
 axis = [1, 0, 0]
 
-[[drive]]
-joint = "slide"
-law = "quintic"
-from = "0 mm"
-to = "300 mm"
-duration = "1 s"
-
-[[force]]
+{glide(0, 300)}[[force]]
 type = "table"
 name = "shake"
 between = ["ground", "bar"]
@@ -101,9 +99,6 @@ from = ["0 mm", "0 mm", "0 mm"]
 to = ["400 mm", "0 mm", "0 mm"]
 axis = [0, 1, 0]
 {sine(force, 160.0, 0.5)}
-
-[simulation]
-duration = "1 s"
 
 {scene_text.BAR}
 limits = {{ safety_factor = 1.5 }}

@@ -266,9 +266,11 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   const bool may_be_sprung =
       std::ranges::any_of(holds, &loads::SeatHold::is_sprung);
   if (!may_be_sprung && !change() && !spins(fastest)) return;
+  const MatrixXd of_seats = seat_changes(history);
   MatrixXd changes(0, 0);
   for (const std::size_t i : looks) {
-    append_columns(seats.spread(seat_changes(history), i), changes);
+    append_columns(seats.spread(of_seats, i), changes);
+    if (!seats.travels()) break;  // the same everywhere
   }
   const MatrixXd wrenches = elasticity::span_of(holds, changes);
   make_solvers(motion);

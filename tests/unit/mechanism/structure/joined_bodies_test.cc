@@ -9,6 +9,17 @@ namespace {
 
 using namespace testing;
 
+/// Two bodies, and a joint between them.
+MechanismDefinition pair(JointType type) {
+  MechanismDefinition m;
+  m.bodies.resize(2);
+  m.joints.resize(1);
+  m.joints[0].type = type;
+  m.joints[0].body_a = 0;
+  m.joints[0].body_b = 1;
+  return m;
+}
+
 TEST(JoinedBodies, LandingGearHangsTogetherAndItsCylinderIsStiff) {
   const MechanismDefinition gear = landing_gear();
   const JoinedBodies joined = joined_bodies(gear);
@@ -25,11 +36,7 @@ TEST(JoinedBodies, LandingGearHangsTogetherAndItsCylinderIsStiff) {
 
 // What slides along an axis hands bending on, a hinge only where it is driven.
 TEST(JoinedBodies, SlidesJoinStiffly) {
-  MechanismDefinition m;
-  m.bodies.resize(2);
-  m.joints.resize(1);
-  m.joints[0].body_a = 0;
-  m.joints[0].body_b = 1;
+  MechanismDefinition m = pair(JointType::kRevolute);
   const auto is_stiff = [&](JointType type) {
     m.joints[0].type = type;
     return !joined_bodies(m).stiffly.empty();
@@ -47,12 +54,7 @@ TEST(JoinedBodies, SlidesJoinStiffly) {
 
 // A bushing hands moments on, beside a ball or alone; a ball does not.
 TEST(JoinedBodies, BushingsJoinElastically) {
-  MechanismDefinition m;
-  m.bodies.resize(2);
-  m.joints.resize(1);
-  m.joints[0].type = JointType::kSpherical;
-  m.joints[0].body_a = 0;
-  m.joints[0].body_b = 1;
+  MechanismDefinition m = pair(JointType::kSpherical);
   EXPECT_TRUE(joined_bodies(m).elastically.empty());
   BushingElement bushing;
   bushing.a.body = 0;
@@ -67,11 +69,7 @@ TEST(JoinedBodies, BushingsJoinElastically) {
 // A spring on a hinge hands its moment on; a damper there, or a spring on one
 // of two angles, does not.
 TEST(JoinedBodies, SpringsOnAnglesJoinElastically) {
-  MechanismDefinition m;
-  m.bodies.resize(2);
-  m.joints.resize(1);
-  m.joints[0].body_a = 0;
-  m.joints[0].body_b = 1;
+  MechanismDefinition m = pair(JointType::kRevolute);
   const auto joined = [&](JointType type, double stiffness) {
     m.joints[0].type = type;
     LineElement element;
