@@ -60,6 +60,10 @@ Cylinder(4) = {-1, 10, 28, 10, 0, 0, 5};
 BooleanDifference(5) = { Volume{3}; Delete; }{ Volume{4}; Delete; };
 """
 
+ROD = """SetFactory("OpenCASCADE");
+Cylinder(1) = {0, 0, 0, 100, 0, 0, 10};
+"""
+
 BALL = """SetFactory("OpenCASCADE");
 Sphere(1) = {0, 0, 0, 10};
 """
@@ -137,6 +141,15 @@ class InitGeometry(unittest.TestCase):
                 self.assertEqual(part["name"], file.stem)
                 # Of the files here no placeholder should frighten anyone.
                 self.assertEqual(verdict, "pass")
+
+    def test_a_plain_rod_takes_its_first_mesh(self):
+        self.shape("rod.step", ROD)
+        self.init("rod", "rod.step")
+        done = self.run_clevis("check", "rod/scene.toml", "--json", "--out", "out_rod",
+                               "--mesh-rounds", "0")
+        peak = json.loads(done.stdout)["parts"][0]["peak_von_mises"]
+        self.assertEqual(peak["verdict"], "converged")
+        self.assertAlmostEqual(peak["value_MPa"], 10.04, 2)
 
     def test_what_is_held_and_pulled(self):
         wanted = {"fork": ("bore_A", "bore_B"), "con_rod": ("bore_A", "bore_B"),

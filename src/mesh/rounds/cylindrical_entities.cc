@@ -50,19 +50,25 @@ std::vector<Vector3d> round_edge(const PartMesh<3>& mesh,
                                  unsigned to, const std::vector<double>& t,
                                  const std::vector<Vector3d>& straight,
                                  int file_order) {
+  // Points of a parabola over an arc of 90° slip by 0.02 along it.
+  constexpr double kAcross = 0.01, kAlong = 0.05;
   const Vector3d &start = mesh.vertices[from], &end = mesh.vertices[to];
   const auto& cylinder = *mesh.groups[std::size_t(*groups.begin())].cylinder;
   std::vector<Vector3d> screw, own;
-  double apart = 0.0;
+  const double length = (end - start).norm();
+  bool is_even = true;
   for (std::size_t i = 0; i < t.size(); ++i) {
     own.push_back(project_on_all(mesh, groups, straight[i]));
     const Vector3d even = screw_line(cylinder, start, end, t[i]);
     screw.push_back(groups.size() > 1 ? project_on_all(mesh, groups, even)
                                       : even);
-    apart = std::max(apart, (own.back() - screw.back()).norm());
+    const Vector3d apart = own.back() - screw.back();
+    const double along = std::abs(apart.dot(end - start)) / length;
+    is_even = is_even && along < kAlong * length &&
+              std::sqrt(std::max(0.0, apart.squaredNorm() - along * along)) <
+                  kAcross * length;
   }
-  const bool even = file_order == 1 || apart < 1e-2 * (end - start).norm();
-  return even ? screw : own;
+  return file_order == 1 || is_even ? screw : own;
 }
 
 }  // namespace clevis::mesh

@@ -1,5 +1,6 @@
 #include "mesh/rounds/exact_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -203,6 +204,46 @@ TEST(ExactGeometry, TetrahedraFollowTheCylinder) {
     const double volume = kPi * 300e-6 * 6e-3;
     EXPECT_NEAR(mass_properties(mesh, 1.0).mass, volume, 1e-7 * volume);
   }
+}
+
+TEST(ExactGeometry, AWideFacetOfAParabolaHasEvenAngles) {
+  // A face of one tetrahedron over 84° and 4 mm, as gmsh leaves it.
+  const part::Bore cylinder{Vector3d::Zero(), Vector3d::UnitZ(), 10e-3, 20e-3};
+  const auto on_it = [](double degrees, double z) {
+    const double angle = degrees / 180.0 * kPi;
+    return Vector3d(10e-3 * std::cos(angle), 10e-3 * std::sin(angle), z);
+  };
+  PartMesh<3> mesh;
+  mesh.shape = CellShape::kSimplex;
+  mesh.degree = 2;
+  mesh.vertices = {on_it(0, 0), on_it(84, 0), on_it(40, 4e-3),
+                   Vector3d(3e-3, 3e-3, 2e-3)};
+  mesh.cells = {{0, 1, 2, 3}};
+  const Eigen::Matrix3Xd nodes = simplex_nodes<3>(2);
+  Eigen::Matrix3Xd points(3, nodes.cols());
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+    const Eigen::Vector4d share(1.0 - nodes.col(i).sum(), nodes(0, i),
+                                nodes(1, i), nodes(2, i));
+    points.col(i).setZero();
+    for (int v = 0; v < 4; ++v) {
+      points.col(i) += share[v] * mesh.vertices[std::size_t(v)];
+    }
+    if (share[3] != 0.0 || share.maxCoeff() > 0.75) continue;
+    Eigen::Index from = 0, to = 0;
+    share.head<3>().minCoeff(&from);  // the corner across
+    to = (from + 1) % 3;
+    from = (from + 2) % 3;
+    points.col(i) = screw_line(cylinder, mesh.vertices[std::size_t(from)],
+                               mesh.vertices[std::size_t(to)], 0.5);
+  }
+  mesh.cell_points = {points};
+  int face = 0;
+  while (std::ranges::count(simplex_face<3>(face), 3) > 0) ++face;
+  mesh.boundary = {{0, face, 0}};
+  mesh.groups = {{"round_1", cylinder}};
+  put_on_cylinders(mesh);
+  // With nodes where the parabola has them 4.6e-4.
+  EXPECT_LT(triangles_off_cylinder(mesh, "round_1"), 1e-4);
 }
 
 TEST(ExactGeometry, CurvedTetrahedraShareTheirPoints) {
