@@ -27,7 +27,9 @@ bool has_all_of(const HeldModes& a, const HeldModes& b, double apart) {
   });
 }
 
-VectorXd of_seats(const loads::InstantLoad& instant) {
+}  // namespace
+
+VectorXd seat_wrenches(const loads::InstantLoad& instant) {
   constexpr Index kWrench = 6;
   VectorXd all(kWrench * std::ssize(instant.wrenches));
   for (std::size_t s = 0; s < instant.wrenches.size(); ++s) {
@@ -38,7 +40,15 @@ VectorXd of_seats(const loads::InstantLoad& instant) {
   return all;
 }
 
-}  // namespace
+CountedPeriods counted_periods(const HeldModes& held) {
+  CountedPeriods periods{HUGE_VAL, 0.0};
+  for (const ExcitedMode& mode : held.modes) {
+    if (mode.answer < kCounts) continue;
+    periods.shortest = std::min(periods.shortest, mode.period);
+    periods.longest = std::max(periods.longest, mode.period);
+  }
+  return periods;
+}
 
 bool are_like(const HeldModes& a, const HeldModes& b, double apart) {
   return has_all_of(a, b, apart) && has_all_of(b, a, apart);
@@ -49,10 +59,11 @@ MatrixXd seat_changes(const loads::LoadHistory& motion) {
   constexpr Index kSome = 64, kVector = 3;
   const Index count = std::ssize(motion.instants);
   if (count == 0) return {};
-  const VectorXd first = of_seats(motion.instants.front());
+  const VectorXd first = seat_wrenches(motion.instants.front());
   MatrixXd all(first.size(), count);
   for (Index i = 0; i < count; ++i) {
-    all.col(i) = of_seats(motion.instants[static_cast<std::size_t>(i)]) - first;
+    all.col(i) =
+        seat_wrenches(motion.instants[static_cast<std::size_t>(i)]) - first;
   }
   std::vector<Index> taken;
   for (Index k = 0; k < std::min(kSome, count); ++k) {

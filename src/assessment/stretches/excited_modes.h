@@ -26,11 +26,20 @@ struct HeldModes {
   std::vector<ExcitedMode> modes;  ///< that count, the longest first
 };
 
+/// Of the modes that count [s]; none: longest 0.
+struct CountedPeriods {
+  double shortest{}, longest{};
+};
+CountedPeriods counted_periods(const HeldModes& held);
+
 /// Whether two holds leave the same vibrations to the loads: those that count
 /// with one are among those of the other, periods less than a share apart [1].
 /// The first one of all says nothing of a link that bends in its plane, if that
 /// is across it.
 bool are_like(const HeldModes& a, const HeldModes& b, double apart);
+
+/// What an instant's seats carry, 6 n [N], [N m].
+Eigen::VectorXd seat_wrenches(const loads::InstantLoad& instant);
 
 /// By what the seats' loads of a motion differ from those at its first instant:
 /// at so many instants as show it, and where a seat's force or moment differs

@@ -235,7 +235,7 @@ void HeldMotions::make_solvers(Motion& motion) const {
 }
 
 void HeldMotions::look_at_seats(Motion& motion) const {
-  constexpr int kSteps = 8;            // of a slide's way
+  constexpr int kSteps = 16;           // of a slide's way
   constexpr double kLittle = 1e-3;     // of the part's size: no way
   constexpr double kSame = 1e-6;       // of holds
   constexpr double kSameModes = 1e-3;  // likewise, far below kLike
@@ -252,6 +252,8 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   for (const std::size_t i : some_of(history.instants.size())) {
     looks.push_back(i);
   }
+  // Of evenly spread ones there may be none where a slide goes fast.
+  looks.insert(looks.end(), seats.instants().begin(), seats.instants().end());
   std::vector<loads::SeatHold> holds;
   for (const std::size_t i : looks) holds.push_back(hold_at(i));
   const auto fastest =
@@ -270,14 +272,16 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   MatrixXd changes(0, 0);
   for (const std::size_t i : looks) {
     append_columns(seats.spread(of_seats, i), changes);
-    if (!seats.travels()) break;  // the same everywhere
+    append_columns(seats.spread(seat_wrenches(history.instants[i]), i),
+                   changes);
   }
   const MatrixXd wrenches = elasticity::span_of(holds, changes);
   make_solvers(motion);
   std::optional<elasticity::SeatShapes> shapes;
   for (auto& solver : motion.solvers) {
     try {
-      shapes = solver.seat_shapes(wrenches, seats.seats(), holds.front().zones);
+      shapes = solver.seat_shapes(wrenches, seats.seats(), holds.front().zones,
+                                  change());
       break;
     } catch (const Error&) {
       continue;
@@ -303,9 +307,7 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   if (are_all_like) return;
   motion.travels = seats.travels();
   const auto hold_of = [&](std::size_t instant) {
-    loads::SeatHold hold = history.hold(history.instants[instant].time);
-    if (!history.springs_hold) hold.leave_springs_out();
-    return hold;
+    return hold_at_instant(motion, instant);
   };
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < history.instants.size(); ++i) {
@@ -321,6 +323,39 @@ void HeldMotions::look_at_seats(Motion& motion) const {
     known.push_back(i);
     motion.modes.push_back(excited.of(seats.spread(hold, i), i));
   }
+  motion.seats = seats;
+  motion.shapes = std::move(shapes);
+}
+
+std::optional<TravellingVibration> HeldMotions::followed(std::size_t set) {
+  Motion& of = motion(set);
+  if (of.modes.empty()) return std::nullopt;
+  CountedPeriods periods{HUGE_VAL, 0.0};
+  for (const HeldModes& held : of.modes) {
+    const CountedPeriods own = counted_periods(held);
+    periods.shortest = std::min(periods.shortest, own.shortest);
+    periods.longest = std::max(periods.longest, own.longest);
+  }
+  if (!(periods.longest > 0.0)) return std::nullopt;
+  auto found = follow_holds(
+      job_, of.loads, *of.seats, *of.shapes,
+      [&](std::size_t instant) {
+        return hold_at_instant(of, instant);
+      },
+      periods);
+  if (found) {
+    const auto then = next_to(found->time, of.loads.history.instants);
+    found->lowest = 1.0 / counted_periods(of.modes[then]).longest;
+  }
+  return found;
+}
+
+loads::SeatHold HeldMotions::hold_at_instant(const Motion& motion,
+                                             std::size_t instant) {
+  const loads::LoadHistory& history = motion.loads.history;
+  loads::SeatHold hold = history.hold(history.instants[instant].time);
+  if (!history.springs_hold) hold.leave_springs_out();
+  return hold;
 }
 
 double HeldMotions::period_held(Motion& motion, double time) const {

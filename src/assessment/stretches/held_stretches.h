@@ -9,6 +9,7 @@
 
 #include "assessment/job/part_job.h"
 #include "assessment/stretches/excited_modes.h"
+#include "assessment/stretches/travelling_vibration.h"
 #include "assessment/stretches/vibration_times.h"
 #include "elasticity/vibration/eigenmodes.h"
 
@@ -50,6 +51,10 @@ class HeldMotions {
   /// @param driven  rising, not empty.
   std::vector<HeldStretch> stretches(
       std::size_t set, const std::vector<VibrationWindow>& driven);
+  /// The vibration of a part that the mechanism holds and weighs otherwise from
+  /// time to time, through all of the motion; nothing where it does not, or
+  /// that cannot be followed.
+  std::optional<TravellingVibration> followed(std::size_t set);
 
  private:
   struct Motion {
@@ -61,7 +66,9 @@ class HeldMotions {
     LoadSet loads;  ///< followed_loads()
     std::vector<elasticity::FirstPeriods<3>> solvers = {};
     std::vector<HeldModes> modes = {};  ///< of each instant; empty: as one
-    bool travels = false;               ///< on slides
+    std::optional<loads::SpreadSeats> seats = {};  ///< of these, as the shapes
+    std::optional<elasticity::SeatShapes> shapes = {};
+    bool travels = false;  ///< on slides
     std::vector<elasticity::SeatShapes::Moved> moved = {};
     double longest{};  ///< HeldMotions::first_period()
   };
@@ -70,6 +77,9 @@ class HeldMotions {
   /// How the part's seats are held, sprung, weighed and spun, and the modes
   /// that this leaves.
   void look_at_seats(Motion& motion) const;
+  /// As history.hold(), with springs where they count.
+  static loads::SeatHold hold_at_instant(const Motion& motion,
+                                         std::size_t instant);
   void make_solvers(Motion& motion) const;
   /// First period as the part is held at a time [s].
   double period_held(Motion& motion, double time) const;

@@ -148,6 +148,29 @@ void tell_overflow(VibrationResult& found) {
       "mass, and seat what acts on it on the part itself";
 }
 
+/// @param at_rest  deflection [m].
+VibrationResult of_followed(const TravellingVibration& followed, double at_rest,
+                            const LoadSet& set) {
+  constexpr double kOfFewShapes = 0.1;  // their stress at rest
+  const auto& instants = set.history.instants;
+  VibrationResult found;
+  found.ratio = std::max(1.0, followed.stress);
+  found.still = followed.still;
+  found.still_error = kOfFewShapes;
+  found.shape_error = followed.error;
+  found.at = followed.at;
+  found.group = followed.group;
+  found.time = followed.time;
+  found.from = instants.front().time;
+  found.to = instants.back().time;
+  found.deflection = std::max(1.0, followed.deflection) * at_rest;
+  found.model = "shapes that slides and neighbours hold from time to time";
+  found.shapes = followed.shapes;
+  found.lowest_frequency = followed.lowest;
+  found.highest_frequency = followed.highest;
+  return found;
+}
+
 /// Of one load set; nothing where its loads are followed at rest.
 /// @param swept  the largest of its stretches.
 std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
@@ -169,6 +192,13 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
     return found;
   }
   Stopwatch watch;
+  if (const auto followed = held.followed(s)) {
+    found = of_followed(*followed, result.deflection, held.loads(s));
+    tell_overflow(found);
+    found.not_followed = unknown;
+    found.seconds = watch.lap();
+    return found;
+  }
   PartJob moving = job;
   moving.load_sets = {held.loads(s)};
   const loads::LoadHistory& history = moving.load_sets.front().history;

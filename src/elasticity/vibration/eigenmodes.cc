@@ -65,12 +65,14 @@ double FirstPeriods<dim>::at(double hold_time) {
 template <int dim>
 std::optional<SeatShapes> FirstPeriods<dim>::seat_shapes(
     const MatrixXd& wrenches, const std::vector<loads::Seat>& seats,
-    const std::vector<loads::ContactZone>& zones) requires(dim == 3) {
+    const std::vector<loads::ContactZone>& zones,
+    bool has_fields) requires(dim == 3) {
   if (!part_) part_ = supported_part(problem_, degree_);
   if (part_->free.rigid.cols() == 0) return std::nullopt;
   return SeatShapes(
       *part_, wrenches,
-      seat_means(part_->discretization, seats, zones, problem_.name));
+      seat_means(part_->discretization, seats, zones, problem_.name),
+      has_fields);
 }
 
 template <int dim>

@@ -55,10 +55,12 @@ class FirstPeriods {
   /// Few shapes of a part without supports, for holds of these wrenches at
   /// seats; nothing where supports hold it.
   /// @param wrenches  6 n × columns, force [1] above moment [m].
-  /// @param zones  of the seats, as of seat_means(). @throws Error as at().
+  /// @param zones  of the seats, as of seat_means().
+  /// @param has_fields  as of SeatShapes. @throws Error as at().
   std::optional<SeatShapes> seat_shapes(
       const Eigen::MatrixXd& wrenches, const std::vector<loads::Seat>& seats,
-      const std::vector<loads::ContactZone>& zones) requires(dim == 3);
+      const std::vector<loads::ContactZone>& zones,
+      bool has_fields = false) requires(dim == 3);
 
  private:
   ElasticProblem<dim> problem_;

@@ -25,12 +25,30 @@ using Eigen::VectorXd;
 
 constexpr double kRoundOff = 1e-9;  // of rows of like size
 
-/// M-orthonormal columns of the span; what is round-off of others is left out.
+/// K-orthonormal columns of the span; what is round-off of others is left out.
+/// In their energy local shapes are not small beside those of all the part.
 MatrixXd orthonormal_in(const MatrixXd& columns, const MatrixXd& weighted) {
-  constexpr double kLeast = 1e-10;  // of a column's square
+  constexpr double kLeast = 1e-8;  // of a column's square
   return product(columns, orthonormal_combinations(
                               transposed_product(columns, weighted), kLeast));
 }
+
+/// M-orthonormal columns of a span in which K is diagonal.
+struct OwnShapes {
+  /// @param columns  nearly K-orthonormal.
+  OwnShapes(const MatrixXd& columns, const dynamics::LinearSystem& system) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> own(
+        transposed_product(columns, system.mass(columns)),
+        transposed_product(columns, system.stiffness(columns)));
+    const VectorXd masses = own.eigenvalues();  // of shapes of unit stiffness
+    squares = masses.cwiseInverse();
+    shapes =
+        product(columns, own.eigenvectors() * squares.cwiseSqrt().asDiagonal());
+  }
+
+  MatrixXd shapes;
+  VectorXd squares;  ///< [1/s²]
+};
 
 /// Of dampers D Dᵀ in vibrations of mass one [1]. @param dampers  Dᵀ.
 VectorXd ratios_of(const MatrixXd& dampers, const MatrixXd& shapes,
@@ -42,7 +60,7 @@ VectorXd ratios_of(const MatrixXd& dampers, const MatrixXd& shapes,
 }  // namespace
 
 SeatShapes::SeatShapes(const VibratingPart<3>& part, MatrixXd seats,
-                       const MatrixXd& means)
+                       const MatrixXd& means, bool has_fields)
     : seats_(std::move(seats)) {
   const dynamics::LinearSystem& system = part.free;
   const MatrixXd forces = restrict_rows(product(means, seats_), part.numbers);
@@ -52,20 +70,32 @@ SeatShapes::SeatShapes(const VibratingPart<3>& part, MatrixXd seats,
     return x - product(rigid, transposed_product(weighted, x));
   };
   const auto solve = system.factor(system.least_shift());
-  const MatrixXd at_rest = elastic(solve(forces));
-  const MatrixXd by_inertia = elastic(solve(system.mass(at_rest)));
+  const auto own_shapes = [&](MatrixXd columns) {
+    for (int pass = 0; pass < 2; ++pass) {
+      columns = elastic(orthonormal_in(columns, system.stiffness(columns)));
+    }
+    return OwnShapes(columns, system);
+  };
+  // Of those at rest their own: what is kept beside them hangs on no basis of
+  // the wrenches then.
+  const MatrixXd at_rest = own_shapes(elastic(solve(forces))).shapes;
   MatrixXd both(at_rest.rows(), 2 * at_rest.cols());
-  both << at_rest, by_inertia;
-  for (int pass = 0; pass < 2; ++pass) {
-    both = elastic(orthonormal_in(both, system.mass(both)));
-  }
-  MatrixXd shapes(both.rows(), rigid.cols() + both.cols());
-  shapes << rigid, both;
+  both << at_rest, elastic(solve(system.mass(at_rest)));
+  const OwnShapes own = own_shapes(std::move(both));
+  MatrixXd shapes(own.shapes.rows(), rigid.cols() + own.shapes.cols());
+  shapes << rigid, own.shapes;
   rigid_ = rigid.cols();
   motions_ = transposed_product(forces, shapes);
-  stiffness_ = MatrixXd::Zero(shapes.cols(), shapes.cols());
-  stiffness_.bottomRightCorner(both.cols(), both.cols()) =
-      transposed_product(both, system.stiffness(both));
+  squares_ = VectorXd::Zero(shapes.cols());
+  squares_.tail(own.squares.size()) = own.squares;
+  if (!has_fields) return;
+  fields_.emplace();
+  fields_->discretization = part.discretization;
+  fields_->columns = extend_rows(shapes, part.numbers);
+}
+
+MatrixXd SeatShapes::along_shapes(const MatrixXd& wrenches) const {
+  return along_seats(wrenches).transpose() * motions_;
 }
 
 MatrixXd SeatShapes::along_seats(const MatrixXd& wrenches) const {
@@ -112,8 +142,7 @@ SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
   }
   MatrixXd mass = MatrixXd::Identity(all, all);
   MatrixXd stiffness = MatrixXd::Zero(all, all);
-  stiffness.topLeftCorner(shapes, shapes) =
-      stiffness_.topLeftCorner(shapes, shapes);
+  stiffness.diagonal().head(shapes) = squares_.head(shapes);
   MatrixXd springs(0, all), dampers(0, all);
   if (hold.swinging) {
     springs = rows_of(hold.swinging->sprung, hold.swinging->sprung_there);
@@ -134,7 +163,7 @@ SeatShapes::Held SeatShapes::held(const loads::SeatHold& hold,
 }
 
 SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
-  const Held all = held(hold, stiffness_.cols());
+  const Held all = held(hold, squares_.size());
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(all.stiffness,
                                                                  all.mass);
   const Index count = all.left.cols() - all.free;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "elasticity/problem/displacement_basis.h"
 #include "elasticity/vibration/vibrating_part.h"
 #include "loads/history/load_history.h"
 
@@ -19,8 +21,9 @@ class SeatShapes {
   /// @param seats  wrenches on the seats that may hold and weigh it, 6 n ×
   ///   columns, independent, orthonormal.
   /// @param means  of unit wrenches on the seats, dofs × 6 n.
+  /// @param has_fields  whether fields() are asked for: they take memory.
   SeatShapes(const VibratingPart<3>& part, Eigen::MatrixXd seats,
-             const Eigen::MatrixXd& means);
+             const Eigen::MatrixXd& means, bool has_fields = false);
 
   /// Vibrations, lowest first: elastic ones, and swings on springs of the
   /// mechanism.
@@ -55,6 +58,15 @@ class SeatShapes {
 
   /// Components along `seats` of wrenches, 6 n × columns [N], [N m].
   Eigen::MatrixXd along_seats(const Eigen::MatrixXd& wrenches) const;
+  /// Squares of the free part's circular frequencies in each shape, which are
+  /// M-orthonormal; 0: the rigid ones, first [1/s²].
+  const Eigen::VectorXd& squares() const { return squares_; }
+  Eigen::Index rigid() const { return rigid_; }
+  /// What wrenches do on the shapes, columns × shapes [N/√kg].
+  Eigen::MatrixXd along_shapes(const Eigen::MatrixXd& wrenches) const;
+  /// The shapes as displacements, without coefficients [1/√kg].
+  /// @pre has_fields.
+  const DisplacementBasis<3>& fields() const { return *fields_; }
 
  private:
   /// What is held and weighed: of shapes_ or of the rigid ones alone.
@@ -62,9 +74,10 @@ class SeatShapes {
   Held held(const loads::SeatHold& hold, Eigen::Index shapes) const;
 
   Eigen::MatrixXd seats_;
-  Eigen::MatrixXd motions_;    ///< seats_ × shapes, of M-orthonormal shapes
-  Eigen::MatrixXd stiffness_;  ///< of the shapes [1/s²]
-  Eigen::Index rigid_{};       ///< the first of them
+  Eigen::MatrixXd motions_;  ///< seats_ × shapes, of M-orthonormal shapes
+  Eigen::VectorXd squares_;
+  Eigen::Index rigid_{};  ///< the first of them
+  std::optional<DisplacementBasis<3>> fields_;
 };
 
 /// Orthonormal wrenches of which those of all holds, and loads, are made, each

@@ -110,6 +110,7 @@ SpreadSeats::SpreadSeats(const LoadHistory& history, int steps, double least) {
         continue;
       }
       way.known.push_back(places[i]);
+      instants_.push_back(i);
       add(i);
     }
     places.resize(history.instants.size(), NAN);

@@ -36,6 +36,8 @@ class SpreadSeats {
 
   bool travels() const { return seats_.size() > places_.size(); }
   const std::vector<Seat>& seats() const { return seats_; }
+  /// At which slides stand at the places.
+  const std::vector<std::size_t>& instants() const { return instants_; }
   /// What is touched of each; empty: all of each group.
   const std::vector<ContactZone>& zones() const { return zones_; }
   /// Wrenches on the history's seats at an instant, 6 n × columns, as wrenches
@@ -55,6 +57,7 @@ class SpreadSeats {
     double step{};               ///< [m]
   };
   std::vector<Way> places_;  ///< by the history's seats
+  std::vector<std::size_t> instants_;
   std::vector<Seat> seats_;
   std::vector<ContactZone> zones_;
 };
