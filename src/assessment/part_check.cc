@@ -31,6 +31,7 @@
 #include "assessment/verdict/hidden_stress.h"
 #include "assessment/verdict/verdict.h"
 #include "assessment/vibration/moved_frequencies.h"
+#include "assessment/vibration/pulsing_loads.h"
 #include "assessment/vibration/vibration_check.h"
 #include "base/messages/errors.h"
 #include "base/values/stopwatch.h"
@@ -272,6 +273,7 @@ PartAssessment check_part(const PartJob& given) {
   result.buckling.strut_is_longer = job.buckling_length.has_value();
   assessment.fields.buckling = std::move(buckling.shape);
   doubt_moved_frequencies(job, buckling.stiffening, result);
+  doubt_pulsing_loads(job, result);
   // Its equations are those of the hold.
   const bool rises = buckling.on_springs.rises();
   if (!rises) {

@@ -233,7 +233,7 @@ PUBLIC = {
              " pressure/discrete_balance pressure/face_pressure pressure/load_scale pressure/pin_pressure pressure/seat_traction pressure/surface_shear"
              " pressure/wall_pressure holds/holding_groups seats/force_seats seats/part_seats holds/seat_hold seats/seat_spans holds/slide_places holds/spread_seats",
     "dynamics": "load_vibration/load_answer load_vibration/load_path"
-                " load_vibration/moving_constraints load_vibration/response_spectrum"
+                " load_vibration/moving_constraints load_vibration/pulsed_oscillator load_vibration/response_spectrum"
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
                 " systems/attached_system systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/sprung_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",

@@ -327,9 +327,12 @@ void HeldMotions::look_at_seats(Motion& motion) const {
   motion.shapes = std::move(shapes);
 }
 
-std::optional<TravellingVibration> HeldMotions::followed(std::size_t set) {
+std::optional<TravellingVibration> HeldMotions::followed(
+    std::size_t set, const std::vector<HeldStretch>& stretches) {
+  constexpr double kSame = 0.1;
   Motion& of = motion(set);
   if (of.modes.empty()) return std::nullopt;
+  const auto& instants = of.loads.history.instants;
   CountedPeriods periods{HUGE_VAL, 0.0};
   for (const HeldModes& held : of.modes) {
     const CountedPeriods own = counted_periods(held);
@@ -337,16 +340,24 @@ std::optional<TravellingVibration> HeldMotions::followed(std::size_t set) {
     periods.longest = std::max(periods.longest, own.longest);
   }
   if (!(periods.longest > 0.0)) return std::nullopt;
+  std::vector<std::size_t> as_if_held;
+  for (const HeldStretch& stretch : stretches) {
+    if (!of.travels) as_if_held.push_back(next_to(stretch.hold_time, instants));
+  }
   auto found = follow_holds(
       job_, of.loads, *of.seats, *of.shapes,
       [&](std::size_t instant) {
         return hold_at_instant(of, instant);
       },
-      periods);
-  if (found) {
-    const auto then = next_to(found->time, of.loads.history.instants);
-    found->lowest = 1.0 / counted_periods(of.modes[then]).longest;
+      periods, as_if_held);
+  if (!found) return found;
+  // What stretches tell they tell more exactly.
+  if (!of.travels && std::abs(found->stress - found->as_if_held) <=
+                         kSame * found->as_if_held) {
+    return std::nullopt;
   }
+  found->lowest =
+      1.0 / counted_periods(of.modes[next_to(found->time, instants)]).longest;
   return found;
 }
 

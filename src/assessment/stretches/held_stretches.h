@@ -52,9 +52,11 @@ class HeldMotions {
   std::vector<HeldStretch> stretches(
       std::size_t set, const std::vector<VibrationWindow>& driven);
   /// The vibration of a part that the mechanism holds and weighs otherwise from
-  /// time to time, through all of the motion; nothing where it does not, or
-  /// that cannot be followed.
-  std::optional<TravellingVibration> followed(std::size_t set);
+  /// time to time, through all of the motion; nothing where that cannot be
+  /// followed, or does not differ from what its stretches tell.
+  /// @param stretches  of stretches().
+  std::optional<TravellingVibration> followed(
+      std::size_t set, const std::vector<HeldStretch>& stretches);
 
  private:
   struct Motion {

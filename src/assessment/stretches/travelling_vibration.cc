@@ -9,6 +9,7 @@
 #include "assessment/pace/load_pace.h"
 #include "assessment/stretches/excited_modes.h"
 #include "base/algebra/singular_vectors.h"
+#include "base/algebra/unit_columns.h"
 #include "dynamics/load_vibration/moving_constraints.h"
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
@@ -24,6 +25,7 @@ using Eigen::VectorXd;
 /// independent wrenches, 6 n × columns.
 struct HoldColumns {
   MatrixXd held, weighed, sprung, damped;
+  MatrixXd free;  ///< motions of the rigid part that none of them feels
 };
 
 /// Independent columns W' with W' W'ᵀ = W Wᵀ, or of its span orthonormal ones.
@@ -64,7 +66,7 @@ class TravellingPart {
     const auto& instants = motion_.history.instants;
     const auto count = static_cast<Index>(instants.size());
     time_.resize(count);
-    std::vector<MatrixXd> rows, forces;
+    std::vector<MatrixXd> rows, forces, all_forces;
     HoldColumns before;
     for (Index i = 0; i < count; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -76,19 +78,29 @@ class TravellingPart {
                           independent(hold.weighed, wrenches.size(), false),
                           independent(hold.sprung, wrenches.size(), false),
                           independent(hold.damped, wrenches.size(), false)};
+      columns.free = free_motions(columns, at);
       time_[i] = instants[at].time;
       if (i > 0 && !go_on_from(before, i, columns)) return false;
       if (i == 0) set_system(columns);
       rows.push_back(rows_of(columns, at));
       forces.push_back(VectorXd::Zero(system_.mass.size()));
       forces.back().topRows(shapes()) = forces_on_shapes(columns, wrenches, at);
+      all_forces.push_back(VectorXd::Zero(system_.mass.size()));
+      all_forces.back().middleRows(shapes_.rigid(),
+                                   shapes() - shapes_.rigid()) =
+          on_shapes(wrenches, at).tail(shapes() - shapes_.rigid());
       before = std::move(columns);
     }
     const double sides =
         loads::kEventSides * loads::motion_duration(motion_.history);
-    rows_.emplace(time_, std::move(rows), sides);
-    forces_.emplace(time_, std::move(forces), sides, motion_.history.bends,
-                    between_instants(motion_));
+    rows_.emplace(time_, std::move(rows), sides, motion_.history.bends,
+                  dynamics::SmoothPath::Slopes::kLimited);
+    const auto slopes = motion_.history.rows
+                            ? dynamics::SmoothPath::Slopes::kOfSecants
+                            : dynamics::SmoothPath::Slopes::kLimited;
+    const auto& bends = motion_.history.bends;
+    forces_.emplace(time_, std::move(forces), sides, bends, slopes);
+    all_forces_.emplace(time_, std::move(all_forces), sides, bends, slopes);
     return true;
   }
 
@@ -119,10 +131,9 @@ class TravellingPart {
     VectorXd time;         ///< [s]
   };
   /// By its loads at rest. @param times  as of swings().
-  Bends resting(Index times) const {
-    constexpr int kParts = 4;  // of the way to the next instant
+  Bends resting(double step, Index times) const {
     Largest kept(*this, shapes_.squares(), times);
-    dynamics::follow_at_rest(system_, *rows_, *forces_, kParts,
+    dynamics::follow_at_rest(system_, *rows_, *forces_, step,
                              [&](double t, const VectorXd& q) {
                                kept.take(t, q);
                              });
@@ -132,6 +143,31 @@ class TravellingPart {
   ///   the step with the most strain energy is kept.
   /// @param stiffer  times as stiff as the shapes are [1].
   Bends swings(double step, Index times, double stiffer) const {
+    return swung(*rows_, *forces_, step, times, stiffer);
+  }
+  /// As if it always were held and weighed as at an instant. @pre no seat
+  ///   travels.
+  Bends swings_held(Index instant, double step, Index times) const {
+    const std::vector<MatrixXd> same(2, rows_->value(instant));
+    const dynamics::SmoothPath rows(
+        Eigen::Vector2d(time_[0], time_[time_.size() - 1]), same);
+    return swung(rows, *all_forces_, step, times, 1.0);
+  }
+  /// At rest at some times, shapes × times.
+  MatrixXd resting_at(const VectorXd& times) const {
+    MatrixXd all(shapes(), times.size());
+    for (Index k = 0; k < times.size(); ++k) {
+      all.col(k) =
+          dynamics::at_rest(system_, rows_->at(times[k]), forces_->at(times[k]))
+              .head(shapes());
+    }
+    return all;
+  }
+
+ private:
+  Bends swung(const dynamics::SmoothPath& rows,
+              const dynamics::SmoothPath& forces, double step, Index times,
+              double stiffer) const {
     const VectorXd squares = stiffer * shapes_.squares();
     dynamics::DiagonalSystem system = system_;
     system.stiffness.head(shapes()) = squares;
@@ -142,14 +178,13 @@ class TravellingPart {
       system.mass[k] = system.damping[k] = 0.0;
     }
     Largest kept(*this, squares, times);
-    dynamics::follow(system, *rows_, *forces_, step,
+    dynamics::follow(system, rows, forces, step,
                      [&](double t, const VectorXd& q) {
                        kept.take(t, q);
                      });
     return std::move(kept.bends);
   }
 
- private:
   /// Of equal times what has the most strain energy.
   struct Largest {
     Largest(const TravellingPart& part, VectorXd of_shapes, Index times)
@@ -182,7 +217,7 @@ class TravellingPart {
     const double interval = time_[instant] - time_[instant - 1];
     for (MatrixXd HoldColumns::*of :
          {&HoldColumns::held, &HoldColumns::weighed, &HoldColumns::sprung,
-          &HoldColumns::damped}) {
+          &HoldColumns::damped, &HoldColumns::free}) {
       const auto apart = go_on(before.*of, columns.*of);
       if (!apart) return false;
       if (*apart < kRoundOff) continue;
@@ -200,17 +235,39 @@ class TravellingPart {
     return true;
   }
 
+  /// Orthonormal, shapes of the rigid part × motions.
+  MatrixXd free_motions(const HoldColumns& columns, std::size_t instant) const {
+    constexpr double kFelt = 1e-9;
+    MatrixXd felt(columns.held.cols() + columns.sprung.cols(), shapes_.rigid());
+    if (felt.rows() == 0) {
+      return MatrixXd::Identity(shapes_.rigid(), shapes_.rigid());
+    }
+    MatrixXd both(columns.held.rows(), felt.rows());
+    both << columns.held, columns.sprung;
+    felt = shapes_.along_shapes(seats_.spread(unit_columns(both), instant))
+               .leftCols(shapes_.rigid());
+    return null_space(felt, kFelt);
+  }
+
   /// Constraints × coordinates.
   MatrixXd rows_of(const HoldColumns& columns, std::size_t instant) const {
     const auto along = [&](const MatrixXd& wrenches) {
       return shapes_.along_shapes(seats_.spread(wrenches, instant));
     };
     const Index held = columns.held.cols();
+    const Index free = columns.free.cols();
     const Index tied =
         columns.weighed.cols() + columns.sprung.cols() + columns.damped.cols();
-    MatrixXd rows = MatrixXd::Zero(held + tied, shapes() + tied);
+    MatrixXd rows = MatrixXd::Zero(held + free + tied, shapes() + tied);
     rows.topLeftCorner(held, shapes()) = along(columns.held);
-    Index from = held;
+    // Vibrations have no momentum along what the rigid part is free to do, and
+    // its loads none that changes it.
+    const MatrixXd weighed = along(columns.weighed);
+    rows.block(held, 0, free, shapes_.rigid()) = columns.free.transpose();
+    rows.block(held, 0, free, shapes()) +=
+        (weighed.leftCols(shapes_.rigid()) * columns.free).transpose() *
+        weighed;
+    Index from = held + free;
     for (const MatrixXd* some :
          {&columns.weighed, &columns.sprung, &columns.damped}) {
       rows.block(from, 0, some->cols(), shapes()) = along(*some);
@@ -225,7 +282,7 @@ class TravellingPart {
     const Index sprung = columns.sprung.cols();
     const Index damped = columns.damped.cols();
     const Index all = shapes() + weighed + sprung + damped;
-    held_ = columns.held.cols();
+    held_ = columns.held.cols() + columns.free.cols();
     system_.mass = system_.damping = system_.stiffness = VectorXd::Zero(all);
     system_.mass.head(shapes() + weighed).setOnes();
     system_.stiffness.head(shapes()) = shapes_.squares();
@@ -243,12 +300,13 @@ class TravellingPart {
                             std::size_t instant) const {
     const VectorXd reactions =
         columns.held * (columns.held.transpose() * wrenches);
-    const auto on_shapes = [&](const VectorXd& some) -> VectorXd {
-      return shapes_.along_shapes(seats_.spread(some, instant)).transpose();
-    };
-    VectorXd forces = on_shapes(wrenches - reactions);
-    forces.head(shapes_.rigid()) = -on_shapes(reactions).head(shapes_.rigid());
+    VectorXd forces = on_shapes(wrenches - reactions, instant);
+    forces.head(shapes_.rigid()) =
+        -on_shapes(reactions, instant).head(shapes_.rigid());
     return forces;
+  }
+  VectorXd on_shapes(const VectorXd& wrenches, std::size_t instant) const {
+    return shapes_.along_shapes(seats_.spread(wrenches, instant)).transpose();
   }
 
   const PartJob& job_;
@@ -258,6 +316,7 @@ class TravellingPart {
   VectorXd time_;
   dynamics::DiagonalSystem system_;
   std::optional<dynamics::SmoothPath> rows_, forces_;
+  std::optional<dynamics::SmoothPath> all_forces_;  ///< reactions among them
   Index held_{};  ///< constraints that hold, before those that tie
   std::vector<std::pair<Index, MatrixXd>> turned_;  ///< by instant
 };
@@ -307,7 +366,7 @@ std::optional<TravellingVibration> follow_holds(
     const PartJob& job, const LoadSet& motion, const loads::SpreadSeats& seats,
     const elasticity::SeatShapes& shapes,
     const std::function<loads::SeatHold(std::size_t)>& hold_of,
-    const CountedPeriods& periods) {
+    const CountedPeriods& periods, const std::vector<std::size_t>& as_if_held) {
   constexpr double kSteps = 80.0;  // of a period
   constexpr double kMostSteps = 4e5;
   constexpr Index kTimes = 512;       // that are kept
@@ -318,7 +377,7 @@ std::optional<TravellingVibration> follow_holds(
   const double step = periods.shortest / kSteps;
   if (part.duration() > kMostSteps * step) return {};
   Fields fields(job, shapes);
-  const MatrixXd resting = part.resting(kTimes).coordinates;
+  const MatrixXd resting = part.resting(step, kTimes).coordinates;
   const Peak rest = fields.largest(resting);
   if (!(rest.stress > 0.0 && rest.deflection > 0.0)) return {};
   const auto swung = part.swings(step, kTimes, 1.0);
@@ -333,6 +392,15 @@ std::optional<TravellingVibration> follow_holds(
                             .shapes = static_cast<int>(part.shapes()),
                             .highest = std::sqrt(shapes.squares().maxCoeff()) /
                                        2.0 / std::numbers::pi};
+  found.beyond_rest =
+      fields.largest(swung.coordinates - part.resting_at(swung.time)).stress;
+  for (const std::size_t instant : as_if_held) {
+    const auto held =
+        part.swings_held(static_cast<Index>(instant), 2.0 * step, kTimes);
+    found.as_if_held =
+        std::max(found.as_if_held,
+                 fields.largest(held.coordinates).stress / rest.stress);
+  }
   const auto by = [&](double stiffer) {
     return fields.largest(part.swings(2.0 * step, kTimes, stiffer).coordinates);
   };

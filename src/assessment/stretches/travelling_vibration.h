@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -20,7 +21,10 @@ struct TravellingVibration {
   double stress{}, deflection{};  ///< largest over the largest at rest [1]
   double error{};                 ///< of both [1]
   double still{};                 ///< largest stress of the shapes at rest [Pa]
-  Eigen::Vector3d at;             ///< of the largest stress, in L [m]
+  double beyond_rest{};           ///< largest of what is not at rest [Pa]
+  /// Stress as if one of some holds always were, over that at rest [1].
+  double as_if_held{};
+  Eigen::Vector3d at;  ///< of the largest stress, in L [m]
   std::string group;
   double time{};     ///< likewise [s]
   int shapes{};      ///< that move it, those of the rigid part among them
@@ -33,6 +37,8 @@ struct TravellingVibration {
 /// by what its seats carry.
 /// @param motion   followed_loads(). @param shapes  of the spread seats, with
 ///   fields. @param hold_of  at an instant, not spread.
+/// @param as_if_held  instants of holds to compare with; none where seats
+///   travel.
 /// @return nothing where other loads than those of seats act, springs swing
 ///   other bodies, holds come and go, instants are too far apart, or more steps
 ///   are wanted than is worth while.
@@ -40,6 +46,6 @@ std::optional<TravellingVibration> follow_holds(
     const PartJob& job, const LoadSet& motion, const loads::SpreadSeats& seats,
     const elasticity::SeatShapes& shapes,
     const std::function<loads::SeatHold(std::size_t)>& hold_of,
-    const CountedPeriods& periods);
+    const CountedPeriods& periods, const std::vector<std::size_t>& as_if_held);
 
 }  // namespace clevis::assessment

@@ -148,22 +148,33 @@ void tell_overflow(VibrationResult& found) {
       "mass, and seat what acts on it on the part itself";
 }
 
-/// @param at_rest  deflection [m].
+/// @param at_rest  largest stress of its loads [Pa]. @param deflection  that at
+///   rest [m].
 VibrationResult of_followed(const TravellingVibration& followed, double at_rest,
-                            const LoadSet& set) {
+                            double deflection, const LoadSet& set) {
   constexpr double kOfFewShapes = 0.1;  // their stress at rest
+  constexpr double kSame = 0.25;
   const auto& instants = set.history.instants;
   VibrationResult found;
   found.ratio = std::max(1.0, followed.stress);
   found.still = followed.still;
   found.still_error = kOfFewShapes;
   found.shape_error = followed.error;
+  if (change(followed.still, at_rest) > kSame) {
+    // The peak at rest is local, as beside a pin, which few shapes do not have:
+    // what is not at rest may come on top of it, or stand elsewhere.
+    const double least =
+        std::max(1.0, followed.stress * followed.still / at_rest);
+    const double most = std::max(least, 1.0 + followed.beyond_rest / at_rest);
+    found.ratio = 0.5 * (least + most);
+    found.shape_error += 0.5 * (most - least) / *found.ratio;
+  }
   found.at = followed.at;
   found.group = followed.group;
   found.time = followed.time;
   found.from = instants.front().time;
   found.to = instants.back().time;
-  found.deflection = std::max(1.0, followed.deflection) * at_rest;
+  found.deflection = std::max(1.0, followed.deflection) * deflection;
   found.model = "shapes that slides and neighbours hold from time to time";
   found.shapes = followed.shapes;
   found.lowest_frequency = followed.lowest;
@@ -174,6 +185,7 @@ VibrationResult of_followed(const TravellingVibration& followed, double at_rest,
 /// Of one load set; nothing where its loads are followed at rest.
 /// @param swept  the largest of its stretches.
 std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
+                                            const std::vector<InstantRow>& rows,
                                             HeldMotions& held,
                                             PartResult& result, double& swept) {
   const LoadSet& given = job.load_sets[s];
@@ -192,8 +204,11 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
     return found;
   }
   Stopwatch watch;
-  if (const auto followed = held.followed(s)) {
-    found = of_followed(*followed, result.deflection, held.loads(s));
+  auto held_stretches = held.stretches(s, times.driven);
+  if (const auto followed = held.followed(s, held_stretches)) {
+    const double at_rest =
+        largest_of(rows, s, given, result).value_or(judged_peak(result).value);
+    found = of_followed(*followed, at_rest, result.deflection, held.loads(s));
     tell_overflow(found);
     found.not_followed = unknown;
     found.seconds = watch.lap();
@@ -203,7 +218,6 @@ std::optional<VibrationResult> vibration_of(const PartJob& job, std::size_t s,
   moving.load_sets = {held.loads(s)};
   const loads::LoadHistory& history = moving.load_sets.front().history;
   std::vector<Stretch> stretches;
-  auto held_stretches = held.stretches(s, times.driven);
   for (HeldStretch& stretch : held_stretches) {
     VibrationTimes there{std::move(stretch.windows), {}};
     there.is_stretch = held_stretches.size() > 1;
@@ -229,7 +243,7 @@ void check_vibration(const PartJob& job, const std::vector<InstantRow>& rows,
   for (std::size_t s = 0; s < job.load_sets.size(); ++s) {
     const LoadSet& given = job.load_sets[s];
     double swept = 0.0;
-    auto found = vibration_of(job, s, held, result, swept);
+    auto found = vibration_of(job, s, rows, held, result, swept);
     if (!found) continue;
     seconds += found->seconds;
     if (found->ratio) {

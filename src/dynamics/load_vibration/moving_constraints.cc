@@ -32,21 +32,69 @@ struct Scheme {
   static constexpr double kBeta = 0.25 * (kGamma + 0.5) * (kGamma + 0.5);
 };
 
-/// Takes rows and forces at even parts of an interval, its start left out.
-template <typename Take>
-void walk(const SmoothPath& constraints, const SmoothPath& forces,
-          Index interval, Index parts, const Take& take) {
-  const VectorXd& time = constraints.time();
-  const auto rows = constraints.piece(interval);
-  const auto acting = forces.piece(interval);
-  for (Index k = 1; k < parts; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(parts);
-    take(time[interval] + share * (time[interval + 1] - time[interval]),
-         rows.at(share), acting.at(share));
+/// Values of a path at times that rise.
+class Walk {
+ public:
+  explicit Walk(const SmoothPath& path) : path_(path) {}
+
+  MatrixXd at(double t) {
+    const Index i = path_.interval(t);
+    if (i != interval_) piece_ = path_.piece(interval_ = i);
+    const VectorXd& time = path_.time();
+    return piece_.at((t - time[i]) / (time[i + 1] - time[i]));
   }
-  take(time[interval + 1], constraints.value(interval + 1),
-       forces.value(interval + 1));
-}
+
+ private:
+  const SmoothPath& path_;
+  Index interval_ = -1;
+  SmoothPath::Piece piece_;
+};
+
+/// Means of a path over times, beyond its ends those of the ends.
+class Means {
+ public:
+  explicit Means(const SmoothPath& path)
+      : path_(path), sums_{MatrixXd::Zero(path.value(0).rows(), 1)} {
+    for (Index i = 0; i + 1 < path.time().size(); ++i) {
+      sums_.emplace_back(sums_.back() + length(i) * path.piece(i).mean(1.0));
+    }
+  }
+
+  VectorXd over(double from, double to) const {
+    return (up_to(to) - up_to(from)) / (to - from);
+  }
+
+ private:
+  double length(Index i) const { return path_.time()[i + 1] - path_.time()[i]; }
+  MatrixXd up_to(double t) const {
+    const VectorXd& time = path_.time();
+    const Index last = time.size() - 1;
+    if (t <= time[0]) return (t - time[0]) * path_.value(0);
+    if (t >= time[last]) {
+      return sums_.back() + (t - time[last]) * path_.value(last);
+    }
+    const Index i = path_.interval(t);
+    return sums_[static_cast<std::size_t>(i)] +
+           (t - time[i]) * path_.piece(i).mean((t - time[i]) / length(i));
+  }
+
+  const SmoothPath& path_;
+  std::vector<MatrixXd> sums_;  ///< integrals up to each instant
+};
+
+/// Even steps over a path.
+struct Steps {
+  Steps(const VectorXd& time, double step)
+      : from(time[0]),
+        count(std::max<Index>(1, static_cast<Index>(std::ceil(
+                                     (time[time.size() - 1] - from) / step)))),
+        length((time[time.size() - 1] - from) / static_cast<double>(count)) {}
+  double end(Index k) const { return from + static_cast<double>(k) * length; }
+
+  double from;
+  Index count;
+  double length;
+};
 
 /// Coordinates, speeds, accelerations and those of the scheme.
 struct State {
@@ -81,12 +129,11 @@ void take_step(const DiagonalSystem& system, const MatrixXd& rows,
 }  // namespace
 
 SmoothPath::SmoothPath(VectorXd time, std::vector<MatrixXd> values, double jump,
-                       const std::vector<double>& bends,
-                       LoadPath::Between between)
+                       const std::vector<double>& bends, Slopes slopes)
     : time_(std::move(time)),
       values_(std::move(values)),
       jump_(jump),
-      between_(between) {
+      slopes_(slopes) {
   for (const double t : time_) {
     const auto near = std::ranges::lower_bound(bends, t - jump);
     is_bend_.push_back(near != bends.end() && *near <= t + jump);
@@ -99,7 +146,7 @@ MatrixXd SmoothPath::secant(Index i) const {
 
 bool SmoothPath::is_one_piece(Index i, Index next) const {
   return next >= 0 && next + 1 < time_.size() &&
-         between_ == LoadPath::Between::kCubic &&
+         slopes_ != Slopes::kOfSecants &&
          time_[next + 1] - time_[next] > jump_ &&
          !is_bend_[static_cast<std::size_t>(std::max(i, next))];
 }
@@ -107,13 +154,24 @@ bool SmoothPath::is_one_piece(Index i, Index next) const {
 MatrixXd SmoothPath::slope(Index i, Index next) const {
   const MatrixXd own = secant(i);
   const double length = time_[i + 1] - time_[i];
-  const auto turn = [&](Index other) -> MatrixXd {
-    return (secant(other) - own) / (length + time_[other + 1] - time_[other]) *
-           length;
-  };
-  if (is_one_piece(i, next)) return own + turn(next);
+  if (is_one_piece(i, next)) {
+    const MatrixXd other = secant(next);
+    double of_own = time_[next + 1] - time_[next], of_other = length;
+    if (slopes_ == Slopes::kLimited) {
+      of_own *= other.squaredNorm();
+      of_other *= own.squaredNorm();
+    }
+    const double sum = of_own + of_other;
+    return sum > 0.0 ? MatrixXd((of_own * own + of_other * other) / sum)
+                     : MatrixXd::Zero(own.rows(), own.cols());
+  }
   const Index behind = 2 * i - next;
-  return is_one_piece(i, behind) ? MatrixXd(own - turn(behind)) : own;
+  if (!is_one_piece(i, behind)) return own;
+  const MatrixXd turn = length / (length + time_[behind + 1] - time_[behind]) *
+                        (own - secant(behind));
+  return slopes_ == Slopes::kLimited && turn.norm() > own.norm()
+             ? own
+             : MatrixXd(own + turn);
 }
 
 SmoothPath::Piece SmoothPath::piece(Index i) const {
@@ -127,6 +185,21 @@ SmoothPath::Piece SmoothPath::piece(Index i) const {
   piece.second_ = 3.0 * rise - 2.0 * start - end;
   piece.third_ = start + end - 2.0 * rise;
   return piece;
+}
+
+MatrixXd SmoothPath::at(double time) const {
+  const Index i = interval(time);
+  return piece(i).at((time - time_[i]) / (time_[i + 1] - time_[i]));
+}
+
+Index SmoothPath::interval(double time) const {
+  const auto above = std::upper_bound(time_.begin(), time_.end(), time);
+  return std::clamp<Index>(above - time_.begin() - 1, 0, time_.size() - 2);
+}
+
+MatrixXd SmoothPath::Piece::mean(double share) const {
+  return value_ + share * (first_ / 2.0 +
+                           share * (second_ / 3.0 + share * third_ / 4.0));
 }
 
 MatrixXd SmoothPath::Piece::at(double share) const {
@@ -145,35 +218,31 @@ VectorXd at_rest(const DiagonalSystem& system, const MatrixXd& rows,
 }
 
 void follow_at_rest(const DiagonalSystem& system, const SmoothPath& constraints,
-                    const SmoothPath& forces, int parts, const TakeStep& take) {
-  const VectorXd& time = constraints.time();
-  take(time[0], at_rest(system, constraints.value(0), forces.value(0)));
-  for (Index i = 0; i + 1 < time.size(); ++i) {
-    walk(constraints, forces, i, parts,
-         [&](double t, const MatrixXd& rows, const MatrixXd& there) {
-           take(t, at_rest(system, rows, there));
-         });
+                    const SmoothPath& forces, double step,
+                    const TakeStep& take) {
+  const Steps steps(constraints.time(), step);
+  Walk rows(constraints), acting(forces);
+  for (Index k = 0; k <= steps.count; ++k) {
+    const double t = steps.end(k);
+    take(t, at_rest(system, rows.at(t), acting.at(t)));
   }
 }
 
 void follow(const DiagonalSystem& system, const SmoothPath& constraints,
             const SmoothPath& forces, double step, const TakeStep& take) {
-  const VectorXd& time = constraints.time();
+  const Steps steps(constraints.time(), step);
+  const Means means(forces);
+  Walk rows(constraints);
   State state;
   state.q = at_rest(system, constraints.value(0), forces.value(0));
   state.v = state.a = state.scheme = VectorXd::Zero(state.q.size());
-  take(time[0], state.q);
-  for (Index i = 0; i + 1 < time.size(); ++i) {
-    const double length = time[i + 1] - time[i];
-    if (!(length > 0.0)) continue;
-    const auto count =
-        std::max<Index>(1, static_cast<Index>(std::ceil(length / step)));
-    const double h = length / static_cast<double>(count);
-    walk(constraints, forces, i, count,
-         [&](double t, const MatrixXd& rows, const MatrixXd& there) {
-           take_step(system, rows, there, h, state);
-           take(t, state.q);
-         });
+  take(steps.from, state.q);
+  for (Index k = 1; k <= steps.count; ++k) {
+    const double t = steps.end(k);
+    take_step(system, rows.at(t),
+              means.over(t - 0.5 * steps.length, t + 0.5 * steps.length),
+              steps.length, state);
+    take(t, state.q);
   }
 }
 

@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/load_vibration/load_path.h"
-
 namespace clevis::dynamics {
 
 /// m q'' + d q' + k q = f in coordinates that couple by constraints alone;
@@ -15,18 +13,23 @@ struct DiagonalSystem {
   Eigen::VectorXd mass, damping, stiffness;
 };
 
-/// Matrices between the instants at which they are known: on each interval the
-/// cubic with the slopes of parabolas through three instants, so that it goes
-/// with any turn of rows and columns. Pieces end where they bend or jump.
+/// Matrices between the instants at which they are known: on each interval a
+/// cubic that goes with any turn of rows and columns. Pieces end where they
+/// bend or jump.
 class SmoothPath {
  public:
+  enum class Slopes {
+    kOfParabolas,  ///< through three instants
+    kLimited,      ///< the same, less where it steepens: it may bend unseen
+    kOfSecants     ///< as of a table's rows
+  };
   /// @param time   rising [s]. @param values  of each instant, of one shape.
   /// @param jump   instants no farther apart are two sides of one time [s].
   /// @param bends  rising; of them those count that are instants, to `jump`
   ///   [s].
   SmoothPath(Eigen::VectorXd time, std::vector<Eigen::MatrixXd> values,
              double jump = 0.0, const std::vector<double>& bends = {},
-             LoadPath::Between between = LoadPath::Between::kCubic);
+             Slopes slopes = Slopes::kOfParabolas);
 
   const Eigen::VectorXd& time() const { return time_; }
   /// At an instant.
@@ -37,12 +40,17 @@ class SmoothPath {
   class Piece {
    public:
     Eigen::MatrixXd at(double share) const;
+    /// Mean from its start to there.
+    Eigen::MatrixXd mean(double share) const;
 
    private:
     friend class SmoothPath;
     Eigen::MatrixXd value_, first_, second_, third_;  ///< of the share's powers
   };
   Piece piece(Eigen::Index i) const;
+  Eigen::MatrixXd at(double time) const;
+  /// Index of the interval that holds a time; the first and last beside all.
+  Eigen::Index interval(double time) const;
 
  private:
   Eigen::MatrixXd secant(Eigen::Index i) const;
@@ -53,7 +61,7 @@ class SmoothPath {
   Eigen::VectorXd time_;
   std::vector<Eigen::MatrixXd> values_;
   double jump_;
-  LoadPath::Between between_;
+  Slopes slopes_;
   std::vector<bool> is_bend_;  ///< by instant
 };
 
@@ -66,13 +74,15 @@ Eigen::VectorXd at_rest(const DiagonalSystem& system,
 using TakeStep =
     std::function<void(double time, const Eigen::VectorXd& coordinates)>;
 
-/// What the forces bend it to at rest at each instant, and at so many even
-/// parts of the intervals between them.
+/// What the forces bend it to at rest, in even steps. @param step  at most [s].
 void follow_at_rest(const DiagonalSystem& system, const SmoothPath& constraints,
-                    const SmoothPath& forces, int parts, const TakeStep& take);
+                    const SmoothPath& forces, double step,
+                    const TakeStep& take);
 
 /// Its motion from rest at the first instant on, to second order of the step:
-/// the scheme of [ArnoldBruels2007] with a spectral radius of 0.9.
+/// the scheme of [ArnoldBruels2007] with a spectral radius of 0.9. Steps are
+/// even, for instants may be so close together that differences of coordinates
+/// over them are round-off; forces count by their mean around each step's end.
 /// @param constraints  G, each row going on from that before.
 /// @param forces  on the coordinates, one column, at the same instants.
 /// @param step    at most [s].

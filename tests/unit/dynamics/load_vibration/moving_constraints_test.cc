@@ -116,6 +116,40 @@ TEST(MovingConstraints, RowsGoOnAsAParabolaBetweenUnevenInstants) {
   EXPECT_NEAR(bent.piece(2).at(0.5)(0, 0), 1.0, 1e-14);
 }
 
+TEST(MovingConstraints, LimitedSlopesDoNotOvershootWhereTheyBendUnseen) {
+  // At rest for a second, up by 1 in a millisecond, at rest.
+  const VectorXd time = (VectorXd(5) << 0.0, 1.0, 1.001, 2.0, 3.0).finished();
+  std::vector<MatrixXd> values;
+  for (const double value : {0.0, 0.0, 1.0, 1.0, 1.0}) {
+    values.emplace_back(MatrixXd::Constant(1, 1, value));
+  }
+  const SmoothPath limited(time, values, 0.0, {}, SmoothPath::Slopes::kLimited);
+  const SmoothPath free(time, values);
+  EXPECT_EQ(limited.piece(0).at(0.7)(0, 0), 0.0);
+  EXPECT_EQ(limited.piece(2).at(0.3)(0, 0), 1.0);
+  EXPECT_GT(std::abs(free.piece(0).at(0.7)(0, 0)), 10.0);
+}
+
+// A pulse far shorter than a step leaves the swing of its impulse.
+TEST(MovingConstraints, ShortPulsesCountByTheirImpulse) {
+  const VectorXd time =
+      (VectorXd(6) << 0.0, 1.0, 1.0 + 1e-5, 1.0 + 2e-5, 1.0 + 3e-5, 10.0)
+          .finished();
+  std::vector<MatrixXd> forces;
+  for (const double f : {0.0, 0.0, 1e5, 1e5, 0.0, 0.0}) {
+    forces.emplace_back(MatrixXd::Constant(1, 1, f));
+  }
+  const DiagonalSystem system{VectorXd::Ones(1), VectorXd::Zero(1),
+                              VectorXd::Ones(1)};
+  double most = 0.0;
+  follow(system, SmoothPath(time, std::vector<MatrixXd>(6, MatrixXd(0, 1))),
+         SmoothPath(time, forces, 0.0, {}, SmoothPath::Slopes::kOfSecants),
+         0.03, [&](double, const VectorXd& q) {
+           most = std::max(most, std::abs(q[0]));
+         });
+  EXPECT_NEAR(most, 2.0, 0.01);
+}
+
 TEST(MovingConstraints, AtRestASpringTakesWhatTheOthersLeave) {
   // Springs of 2 and 6 N/m under 4 N each, the third tied to their sum.
   const DiagonalSystem system{Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero(),
