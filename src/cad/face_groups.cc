@@ -7,6 +7,7 @@
 #include "base/messages/errors.h"
 #include "cad/cylinders.h"
 #include "cad/joint_cylinder.h"
+#include "cad/pin_bores.h"
 #include "cad/select_faces.h"
 
 namespace clevis::cad {
@@ -27,6 +28,37 @@ void add(const std::string& group, const std::vector<int>& faces,
   groups.faces[group] = faces;
 }
 
+bool has(const std::vector<int>& faces, const Cylinder& piece) {
+  return std::ranges::any_of(piece.faces, [&](int face) {
+    return std::ranges::find(faces, face) != faces.end();
+  });
+}
+
+/// A pin goes through all pieces of its bore: tells where a selector left some
+/// out, and no other has them.
+void tell_left_out(const Solid& solid, const part::NamedFaces& named,
+                   FaceGroups& groups) {
+  const std::vector<int>& taken = groups.faces.at(named.group);
+  for (const PinBore& bore : pin_bores(solid)) {
+    if (std::ranges::none_of(bore.pieces, [&](const Cylinder& piece) {
+          return has(taken, piece);
+        })) {
+      continue;
+    }
+    for (const Cylinder& piece : bore.pieces) {
+      if (std::ranges::any_of(groups.faces, [&](const auto& group) {
+            return has(group.second, piece);
+          })) {
+        continue;
+      }
+      groups.told.push_back(fmt::format(
+          "{}: only a part of its bore, {} is on the same axis; all_of takes "
+          "both",
+          named.group, text_of(piece)));
+    }
+  }
+}
+
 }  // namespace
 
 FaceGroups face_groups(const Solid& solid,
@@ -45,6 +77,9 @@ FaceGroups face_groups(const Solid& solid,
   for (const part::NamedFaces& named : source.faces) {
     add(named.group, select_faces(solid, points, named.selector),
         named.selector.place, groups);
+  }
+  for (const part::NamedFaces& named : source.faces) {
+    tell_left_out(solid, named, groups);
   }
   return groups;
 }

@@ -14,7 +14,8 @@ namespace clevis::cad {
 /// Groups of a solid's faces by name.
 struct FaceGroups {
   std::map<std::string, std::vector<int>> faces;  ///< numbers
-  std::vector<std::string> told;  ///< which faces joints have found
+  /// Which faces joints have found, and which of a bore selectors left out.
+  std::vector<std::string> told;
 };
 
 /// The groups that joints and selectors ask for.

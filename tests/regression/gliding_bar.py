@@ -6,10 +6,10 @@ carriage glides, an arm whose forearm folds.
     gliding_bar.py CLEVIS
 
 By a beam of twelve shapes of a free bar (Newmark's rule, no damping), of which a guide that
-travels holds the mean and the turn of 60 mm, 2 N stress the first bar with 73.5 MPa, and
-the second has 262 MPa: the energy of its swing goes as its frequency. By a clamped beam of
-ten shapes with a mass that travels on it the rail has 8.19 MPa. By beams with a forearm
-that turns, Coriolis forces included, the arm has 277 to 300 MPa.
+travels holds the mean and the turn of 60 mm, the first bar has 441 MPa and the second
+262: the energy of its swing goes as its frequency. By a clamped beam of ten shapes with a
+mass that travels on it the rail has 8.19 MPa. By beams with a forearm that turns, Coriolis
+forces included, the arm has 277 to 300 MPa.
 """
 import json
 import math
@@ -20,7 +20,7 @@ from pathlib import Path
 import scene_text
 import support
 
-BAR = 73.5  # MPa of 2 N
+BAR = 441.0  # MPa
 DRAWN_IN = 262.0
 RAIL = 8.19
 ARM = (277.0, 300.0)
@@ -174,10 +174,8 @@ def main():
             checks.expect(part["verdict"] == verdict,
                           f"{name}: {part['verdict']}: {part['why']}")
 
-        for force, verdict in ((2.0, "pass"), (12.0, "fail")):
-            beam = 0.5 * force * BAR
-            compare(f"{force:g} N", bar(folder, glide(0, 300), sine(force, 160.0, 0.5)),
-                    (beam, beam), 0.2, verdict)
+        compare("driven out", bar(folder, glide(0, 300), sine(12.0, 160.0, 0.5)), (BAR, BAR),
+                0.2, "fail")
         drawn_in = bar(folder, glide(300, 100, 0.1, 0.5, 0.7), pluck(30, 0.05))
         compare("drawn in", drawn_in, (DRAWN_IN, DRAWN_IN), 0.15, "fail")
         compare("rail", rail(folder), (RAIL, RAIL), 0.2, "pass")

@@ -202,12 +202,14 @@ bool has_cases_alone(const PartJob& job) {
 /// Climbs the degrees until the limit is decided, by two at least: of the first
 /// thin cells may lock by any factor. Compact ones do not: where no factor is
 /// found with them that is enough, looked for so far that the model has none
-/// below highest_factor(), and for a wide tolerance and cases alone a factor
-/// with its wide band.
+/// below highest_factor(), and of cases alone a factor with its wide band where
+/// the tolerance is wide or the next degree has many unknowns. Nor is a third
+/// degree of many solved for: its band holds what is missing.
 BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
                     std::vector<Candidate> candidates) {
   const double wanted = part::wanted_buckling_factor(job.part.limits);
   BucklingCheck check;
+  constexpr int kMany = 300'000;  // a minute and more
   std::optional<double> before;
   for (int degree = kFirstDegree; degree <= kHighestDegree; ++degree) {
     try {
@@ -221,12 +223,19 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
       continue;
     }
     check.result.remark.clear();
+    const bool is_dear = degree < kHighestDegree &&
+                         model.discretize(degree + 1).whole.dofs() > kMany;
+    const bool takes_first =
+        (job.tolerance >= kWideTolerance || is_dear) && has_cases_alone(job);
     const bool is_enough =
-        before || (model.is_compact() &&
-                   (!check.shape ||
-                    (job.tolerance >= kWideTolerance && has_cases_alone(job))));
+        before || (model.is_compact() && (!check.shape || takes_first));
     if (is_enough && is_decided(check.result, wanted) &&
         is_decided(check.result, swing * wanted)) {
+      return check;
+    }
+    if (before && is_dear) {
+      check.result.remark = fmt::format(
+          "degree {} left out: more than {} unknowns", degree + 1, kMany);
       return check;
     }
     before = check.result.factor;

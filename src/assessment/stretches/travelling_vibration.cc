@@ -63,6 +63,7 @@ class TravellingPart {
 
   /// @return false: it cannot be followed.
   bool take(const std::function<loads::SeatHold(std::size_t)>& hold_of) {
+    constexpr Index kMostNumbers = 50'000'000;  // 400 MB of rows
     const auto& instants = motion_.history.instants;
     const auto count = static_cast<Index>(instants.size());
     time_.resize(count);
@@ -83,6 +84,7 @@ class TravellingPart {
       if (i > 0 && !go_on_from(before, i, columns)) return false;
       if (i == 0) set_system(columns);
       rows.push_back(rows_of(columns, at));
+      if (rows.back().size() * count > kMostNumbers) return false;
       forces.push_back(VectorXd::Zero(system_.mass.size()));
       forces.back().topRows(shapes()) = forces_on_shapes(columns, wrenches, at);
       all_forces.push_back(VectorXd::Zero(system_.mass.size()));

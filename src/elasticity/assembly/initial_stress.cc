@@ -135,11 +135,25 @@ MassMatrix InitialStress::mass(const NodePairs& pattern, double density) const {
   return matrix;
 }
 
-MatrixXd InitialStress::forms(const MatrixXd& vectors, Index first) const {
+MatrixXd InitialStress::forms(const NodePairs& pattern, const MatrixXd& vectors,
+                              Index first) const {
   const Index m = vectors.cols();
   const Index pairs_before = first * (first + 1) / 2;
   MatrixXd result =
       MatrixXd::Zero(m * (m + 1) / 2 - pairs_before, columns_.cols());
+  // The matrix of a stress costs less than pairs of slopes where cells have few
+  // nodes.
+  if (columns_.cols() == 1 &&
+      discretization_.shape == mesh::CellShape::kSimplex) {
+    const MassMatrix matrix = stiffness(pattern, VectorXd::Ones(1));
+    const MatrixXd all = transposed_product(
+        vectors, multiply(matrix, vectors.rightCols(m - first)));
+    Index pair = 0;
+    for (Index q = first; q < m; ++q) {
+      for (Index p = 0; p <= q; ++p) result(pair++, 0) = all(p, q - first);
+    }
+    return result;
+  }
   for (std::size_t c = 0; c < discretization_.cell_nodes.size(); ++c) {
     const Cell here = cell(c);
     const Index n = here.weights.size();

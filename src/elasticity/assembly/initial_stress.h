@@ -36,7 +36,8 @@ class InitialStress {
   /// v_aᵀ K_G(σ_k) v_b: a row for each pair a <= b (0 0, 0 1, 1 1, 0 2, …), a
   /// column for each k [N m].
   /// @param first  of the vectors b: pairs of those before are left out.
-  Eigen::MatrixXd forms(const Eigen::MatrixXd& vectors,
+  Eigen::MatrixXd forms(const NodePairs& pattern,
+                        const Eigen::MatrixXd& vectors,
                         Eigen::Index first) const;
 
  private:

@@ -69,7 +69,8 @@ class TrialSpace {
     append_columns(unknowns, unknowns_);
     append_columns(part_.displacements(unknowns, 0), shapes_);
     motions_ = stressed_.pushes().motions(shapes_);
-    const MatrixXd more = stressed_.stress().forms(shapes_, before);
+    const MatrixXd more =
+        stressed_.stress().forms(part_.pairs(), shapes_, before);
     forms_.conservativeResize(forms_.rows() + more.rows(), Eigen::NoChange);
     forms_.bottomRows(more.rows()) = more;
     orthonormalise();

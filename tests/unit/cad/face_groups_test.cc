@@ -153,6 +153,22 @@ TEST(FaceGroups, TakeTheFaceOfALabelAndListOthers) {
             "no face of the part bears a label; those of STEP files may");
 }
 
+TEST(FaceGroups, TellWhichEarOfAForkIsLeftOut) {
+  const Solid fork = solid_of({cylinder_face(1, 0.0, -0.02, -0.01, 0.016, true),
+                               cylinder_face(2, 0.0, 0.01, 0.02, 0.016, true)});
+  Solid seen = fork;
+  const Eigen::Vector3d near(0.0, 0.0, 0.022);
+  seen.distances = {{0.04, 0.01}};
+  part::SolidSource source;
+  source.faces = {{"a", cylinder(0.016, near)}};
+  const FaceGroups one = face_groups(seen, {near}, source);
+  ASSERT_EQ(one.told.size(), 1u);
+  EXPECT_NE(one.told[0].find("face 1 is on the same axis"), std::string::npos)
+      << one.told[0];
+  source.faces = {{"a", cylinder(0.016)}};
+  EXPECT_TRUE(face_groups(fork, {}, source).told.empty());
+}
+
 TEST(FaceGroups, KeepAFaceToOneGroup) {
   part::SolidSource source;
   source.faces = {{"a", cylinder(0.012)}, {"b", cylinder(0.012)}};
