@@ -36,10 +36,10 @@ bool has(const std::vector<int>& faces, const Cylinder& piece) {
 
 /// A pin goes through all pieces of its bore: tells where a selector left some
 /// out, and no other has them.
-void tell_left_out(const Solid& solid, const part::NamedFaces& named,
-                   FaceGroups& groups) {
+void tell_left_out(const std::vector<PinBore>& bores,
+                   const part::NamedFaces& named, FaceGroups& groups) {
   const std::vector<int>& taken = groups.faces.at(named.group);
-  for (const PinBore& bore : pin_bores(solid)) {
+  for (const PinBore& bore : bores) {
     if (std::ranges::none_of(bore.pieces, [&](const Cylinder& piece) {
           return has(taken, piece);
         })) {
@@ -53,7 +53,7 @@ void tell_left_out(const Solid& solid, const part::NamedFaces& named,
       }
       groups.told.push_back(fmt::format(
           "{}: only a part of its bore, {} is on the same axis; all_of takes "
-          "both",
+          "them together",
           named.group, text_of(piece)));
     }
   }
@@ -78,8 +78,10 @@ FaceGroups face_groups(const Solid& solid,
     add(named.group, select_faces(solid, points, named.selector),
         named.selector.place, groups);
   }
+  if (source.faces.empty()) return groups;
+  const std::vector<PinBore> bores = pin_bores(solid);
   for (const part::NamedFaces& named : source.faces) {
-    tell_left_out(solid, named, groups);
+    tell_left_out(bores, named, groups);
   }
   return groups;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A clamped strut under a sine of 0.3 of its Euler load along it. Near twice its frequency
-any small swing grows (Mathieu: by share ω/4 a second, tenfold in 0.3 s here), far below
+any small swing grows (Mathieu: by share ω/4 a second, tenfold in a quarter of a second), far below
 what buckles it: that is not judged. Beside it and in steel that damps it stands.
 
     pulsing_strut.py CLEVIS

@@ -223,17 +223,20 @@ BucklingCheck climb(const PartJob& job, BucklingModel& model, double swing,
       continue;
     }
     check.result.remark.clear();
-    const bool is_dear = degree < kHighestDegree &&
-                         model.discretize(degree + 1).whole.dofs() > kMany;
-    const bool takes_first =
-        (job.tolerance >= kWideTolerance || is_dear) && has_cases_alone(job);
+    const auto next_is_dear = [&] {
+      return degree < kHighestDegree &&
+             model.discretize(degree + 1).whole.dofs() > kMany;
+    };
     const bool is_enough =
-        before || (model.is_compact() && (!check.shape || takes_first));
+        before || (model.is_compact() &&
+                   (!check.shape ||
+                    (has_cases_alone(job) &&
+                     (job.tolerance >= kWideTolerance || next_is_dear()))));
     if (is_enough && is_decided(check.result, wanted) &&
         is_decided(check.result, swing * wanted)) {
       return check;
     }
-    if (before && is_dear) {
+    if (before && next_is_dear()) {
       check.result.remark = fmt::format(
           "degree {} left out: more than {} unknowns", degree + 1, kMany);
       return check;

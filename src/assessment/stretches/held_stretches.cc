@@ -329,7 +329,6 @@ void HeldMotions::look_at_seats(Motion& motion) const {
 
 std::optional<TravellingVibration> HeldMotions::followed(
     std::size_t set, const std::vector<HeldStretch>& stretches) {
-  constexpr double kSame = 0.1;
   Motion& of = motion(set);
   if (of.modes.empty()) return std::nullopt;
   const auto& instants = of.loads.history.instants;
@@ -351,11 +350,6 @@ std::optional<TravellingVibration> HeldMotions::followed(
       },
       periods, as_if_held);
   if (!found) return found;
-  // What stretches tell they tell more exactly.
-  if (!of.travels && std::abs(found->stress - found->as_if_held) <=
-                         kSame * found->as_if_held) {
-    return std::nullopt;
-  }
   found->lowest =
       1.0 / counted_periods(of.modes[next_to(found->time, instants)]).longest;
   return found;

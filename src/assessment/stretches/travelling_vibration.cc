@@ -371,7 +371,8 @@ std::optional<TravellingVibration> follow_holds(
     const CountedPeriods& periods, const std::vector<std::size_t>& as_if_held) {
   constexpr double kSteps = 80.0;  // of a period
   constexpr double kMostSteps = 4e5;
-  constexpr Index kTimes = 512;       // that are kept
+  constexpr Index kTimes = 512;  // that are kept
+  constexpr double kSame = 0.1;
   constexpr double kOfShapes = 0.02;  // their stress, beside the hold's
   constexpr double kOff = 0.02;  // squares of the shapes, by twice a per cent
   TravellingPart part(job, motion, seats, shapes);
@@ -379,9 +380,20 @@ std::optional<TravellingVibration> follow_holds(
   const double step = periods.shortest / kSteps;
   if (part.duration() > kMostSteps * step) return {};
   Fields fields(job, shapes);
-  const MatrixXd resting = part.resting(step, kTimes).coordinates;
-  const Peak rest = fields.largest(resting);
+  const Peak rest = fields.largest(part.resting(step, kTimes).coordinates);
   if (!(rest.stress > 0.0 && rest.deflection > 0.0)) return {};
+  const auto by = [&](double stiffer) {
+    return fields.largest(part.swings(2.0 * step, kTimes, stiffer).coordinates);
+  };
+  const Peak coarse = by(1.0);
+  double held = 0.0;
+  for (const std::size_t instant : as_if_held) {
+    const auto there =
+        part.swings_held(static_cast<Index>(instant), 2.0 * step, kTimes);
+    held = std::max(held, fields.largest(there.coordinates).stress);
+  }
+  // What stretches tell they tell more exactly.
+  if (held > 0.0 && std::abs(coarse.stress - held) <= kSame * held) return {};
   const auto swung = part.swings(step, kTimes, 1.0);
   const Peak most = fields.largest(swung.coordinates);
   TravellingVibration found{.stress = most.stress / rest.stress,
@@ -396,21 +408,10 @@ std::optional<TravellingVibration> follow_holds(
                                        2.0 / std::numbers::pi};
   found.beyond_rest =
       fields.largest(swung.coordinates - part.resting_at(swung.time)).stress;
-  for (const std::size_t instant : as_if_held) {
-    const auto held =
-        part.swings_held(static_cast<Index>(instant), 2.0 * step, kTimes);
-    found.as_if_held =
-        std::max(found.as_if_held,
-                 fields.largest(held.coordinates).stress / rest.stress);
-  }
-  const auto by = [&](double stiffer) {
-    return fields.largest(part.swings(2.0 * step, kTimes, stiffer).coordinates);
-  };
   const auto change = [](const Peak& a, const Peak& b) {
     return std::max(std::abs(a.stress / b.stress - 1.0),
                     std::abs(a.deflection / b.deflection - 1.0));
   };
-  const Peak coarse = by(1.0);
   // The scheme is of second order. Bodies that turn beside the part have forces
   // of their turning, which are not followed.
   found.error = kOfShapes + change(coarse, most) / 3.0 +

@@ -16,15 +16,13 @@
 
 namespace clevis::assessment {
 
-/// How far a part swings whose slides travel.
+/// How far a part swings whose hold changes.
 struct TravellingVibration {
   double stress{}, deflection{};  ///< largest over the largest at rest [1]
   double error{};                 ///< of both [1]
   double still{};                 ///< largest stress of the shapes at rest [Pa]
   double beyond_rest{};           ///< largest of what is not at rest [Pa]
-  /// Stress as if one of some holds always were, over that at rest [1].
-  double as_if_held{};
-  Eigen::Vector3d at;  ///< of the largest stress, in L [m]
+  Eigen::Vector3d at;             ///< of the largest stress, in L [m]
   std::string group;
   double time{};     ///< likewise [s]
   int shapes{};      ///< that move it, those of the rigid part among them
@@ -41,7 +39,8 @@ struct TravellingVibration {
 ///   travel.
 /// @return nothing where other loads than those of seats act, springs swing
 ///   other bodies, holds come and go, instants are too far apart, or more steps
-///   are wanted than is worth while.
+///   are wanted than is worth while; and where it swings as far, to a tenth, as
+///   one of `as_if_held` lets it.
 std::optional<TravellingVibration> follow_holds(
     const PartJob& job, const LoadSet& motion, const loads::SpreadSeats& seats,
     const elasticity::SeatShapes& shapes,

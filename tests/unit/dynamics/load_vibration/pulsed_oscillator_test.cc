@@ -36,8 +36,8 @@ TEST(PulsedOscillator, StaysBesideIt) {
   EXPECT_LT(growth(0.3, 0.1, 0.0), 1.2);
 }
 
-// A share that lasts lowers the frequency: the place swings by 1/(1 − share)
-// as far for a speed.
+// A share that lasts lowers the frequency: for a speed the place swings
+// 1/√(1 − share) as far.
 TEST(PulsedOscillator, LastingShareSoftens) {
   const Eigen::VectorXd time = Eigen::VectorXd::LinSpaced(101, 0.0, 50.0);
   const LoadPath path(time, Eigen::MatrixXd::Ones(1, 101), 0.0);
