@@ -2,7 +2,8 @@
 """A bar 24 mm high and 8 mm thick whose mechanism holds it otherwise in the course of its
 motion, in its plane alone, where its first vibration of all, across it, does not change:
 spring or brake at first, a sine at the frequency without them later, against twins whose
-same forces are tables over time; a stop that it comes to, against a spring.
+same forces are tables over time; a stop that it comes to, against a spring; that it
+leaves, against a shorter motion; friction between points, against a spring.
 
     changed_holds.py CLEVIS
 """
@@ -111,17 +112,28 @@ def braked(folder, brake):
 damping = 0.005""", 0.07, 71)
 
 
-def stopped(folder, stop):
-    """It comes to a stop and is pressed on it harder than it swings."""
+def stopped(folder, stop, duration=0.06):
+    """It comes to a stop and is pressed on it harder than it swings, then leaves it."""
     push = """[[initial]]
 joint = "A"
 position = "-1e-6 rad"
 rate = "0 rad/s"
-""" + table("push", [0.0, 0.01, 1.0], [5.0, 400.0, 400.0], 'joint = "A"\n', "N m")
+""" + table("push", [0.0, 0.01, 0.057, 0.059, 1.0], [5.0, 400.0, 400.0, -0.5, -0.5],
+            'joint = "A"\n', "N m")
     return scene(folder, push + sine("sine", 36.0, 198.0, 0.03, 0.055) + stop,
                  """forces = { sine = { face = "bore_B" }, push = { face = "bore_A" }, \
 stop = { face = "bore_A" } }
-damping = 0.01""", 0.06, 61)
+damping = 0.01""", duration, round(1e3 * duration) + 1)
+
+
+def pinched(folder, pinch):
+    """Its tip is held across it, a torque shakes its pin."""
+    step = 1.0 / 635.0 / 24
+    times = [0.0] + [0.005 + k * step for k in range(289)]
+    torque = [0.0] + [15.0 * math.sin(2.0 * math.pi * k / 24) for k in range(289)]
+    return scene(folder, table("torque", times, torque, 'joint = "A"\n', "N m") + pinch,
+                 """forces = { torque = { face = "bore_A" }, pinch = { face = "bore_B" } }
+damping = 0.005""", 0.03, 31)
 
 
 def checked(write, force):
@@ -131,18 +143,27 @@ def checked(write, force):
     return found.code, found.part
 
 
-def compare(what, write, held, twin, least):
+def compare(what, one, twin, least):
     """@param least  times as much as at rest, by its own resonance."""
-    both = [checked(write, force) for force in (held, twin)]
-    peaks = [part["vibration"]["peak_MPa"] for _, part in both]
+    peaks = [part["vibration"]["peak_MPa"] for _, part in (one, twin)]
     print(f"{what}: {peaks[0]:.4g} and {peaks[1]:.4g} MPa with vibration")
-    if [code for code, _ in both] != [1, 1]:
+    if [one[0], twin[0]] != [1, 1]:
         sys.exit(f"{what}: a part that swings at its resonance passed")
     if abs(peaks[0] / peaks[1] - 1.0) > 0.02:
         sys.exit(f"{what}: not as its twin")
-    for _, part in both:
+    for _, part in (one, twin):
         if part["vibration"]["ratio"] < least:
             sys.exit(f"{what}: not at its resonance")
+
+
+STOP = """[[force]]
+name = "stop"
+type = "stop"
+joint = "A"
+upper = "0 rad"
+stiffness = "1e6 N m/rad"
+damping = "100 N m s/rad"
+"""
 
 
 def main():
@@ -154,20 +175,28 @@ def main():
         return 300e-3 * math.sin(math.radians(4.0) * s**3 * (10 - 15 * s + 6 * s * s))
 
     pressed = [max(0.0, 200.0 - 1e6 * height(t)) for t in at]
-    compare("spring that it leaves", bumped,
-            f'[[force]]\nname = "bump"\ntype = "table"\n{AT_TIP}'
-            'positions = ["190 mm", "200.2 mm"]\nefforts = ["10200 N", "0 N"]\n',
-            table("bump", at, pressed, AT_TIP, "N"), 3.0)
-    compare("brake that slips", braked,
-            '[[force]]\nname = "brake"\ntype = "friction"\njoint = "A"\n'
-            'breakaway = "36 N m"\nkinetic = "3 N m"\n',
-            table("brake", [0.0, 0.04, 0.0405, 0.0405, 0.1],
-                  [-34.5, -34.5, -36.0, -3.0, -3.0], 'joint = "A"\n', "N m"), 3.0)
-    compare("stop that it comes to", stopped,
-            '[[force]]\nname = "stop"\ntype = "stop"\njoint = "A"\nupper = "0 rad"\n'
-            'stiffness = "1e6 N m/rad"\ndamping = "100 N m s/rad"\n',
-            '[[force]]\nname = "stop"\ntype = "spring"\njoint = "A"\nfree = "0 rad"\n'
-            'stiffness = "1e6 N m/rad"\ndamping = "100 N m s/rad"\n', 3.0)
+    compare("spring that it leaves",
+            checked(bumped, f'[[force]]\nname = "bump"\ntype = "table"\n{AT_TIP}'
+                            'positions = ["190 mm", "200.2 mm"]\n'
+                            'efforts = ["10200 N", "0 N"]\n'),
+            checked(bumped, table("bump", at, pressed, AT_TIP, "N")), 3.0)
+    compare("brake that slips",
+            checked(braked, '[[force]]\nname = "brake"\ntype = "friction"\njoint = "A"\n'
+                            'breakaway = "36 N m"\nkinetic = "3 N m"\n'),
+            checked(braked, table("brake", [0.0, 0.04, 0.0405, 0.0405, 0.1],
+                                  [-34.5, -34.5, -36.0, -3.0, -3.0], 'joint = "A"\n',
+                                  "N m")), 3.0)
+    on_stop = checked(stopped, STOP)
+    compare("stop that it comes to", on_stop,
+            checked(stopped, STOP.replace('"stop"\njoint', '"spring"\njoint')
+                    .replace("upper", "free")), 3.0)
+    compare("stop that it leaves at a third of its motion", on_stop,
+            checked(lambda folder, stop: stopped(folder, stop, 0.18), STOP), 3.0)
+    compare("friction between points",
+            checked(pinched, f'[[force]]\nname = "pinch"\ntype = "friction"\n{AT_TIP}'
+                             'breakaway = "20 kN"\nkinetic = "20 kN"\n'),
+            checked(pinched, f'[[force]]\nname = "pinch"\ntype = "spring"\n{AT_TIP}'
+                             'free = "200 mm"\nstiffness = "1e9 N/m"\n'), 3.0)
 
 
 if __name__ == "__main__":

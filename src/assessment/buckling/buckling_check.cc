@@ -77,6 +77,7 @@ Found lowest(const PartJob& job, const PartSpace& space, double highest,
         .foundations = set.foundations,
         .plane = space.plane ? &*space.plane : nullptr,
         .known = candidate.known ? &*candidate.known : nullptr,
+        .mass = &job.mass,
         .highest = highest,
         .enough = enough_buckling(job.part.limits)};
     model.factor(set, problem);

@@ -103,7 +103,8 @@ LoadAnswer answer_to(const LoadPath& path, const MatrixXd& participation,
         return there;
       };
       for (; next < others.size() && others[next] < to; ++next) {
-        const double t = others[next] - from;
+        // Within a jump: as behind it. What is damped would grow backwards.
+        const double t = std::max(0.0, others[next] - from);
         put(others[next],
             path.values().col(i) +
                 t * (cubic.col(0) + t * (cubic.col(1) + t * cubic.col(2))),

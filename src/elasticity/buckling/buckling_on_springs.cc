@@ -42,12 +42,35 @@ double largest_yield(const VectorXd& eigenvalues, const std::string& part) {
 }
 
 /// Whether loads push any of some rigid motions.
-bool is_pushed(const MatrixXd& motions, const MatrixXd& form) {
+/// @param inertia  of these, times the square of the speed at which the part
+///   turns: what throws it over more slowly than that counts as not pushed.
+bool is_pushed(const MatrixXd& motions, const MatrixXd& form,
+               const MatrixXd& inertia) {
   constexpr double kPushes = 1e-3;  // of what the loads bring to any motion
   if (motions.cols() == 0) return false;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(
-      motions.transpose() * form * motions, Eigen::EigenvaluesOnly);
+      motions.transpose() * (form - inertia) * motions, Eigen::EigenvaluesOnly);
   return pushed.eigenvalues().maxCoeff() > kPushes * form.norm();
+}
+
+/// Of a part that turns, on its rigid motions, times the square of its speed.
+/// @param motions  of the seats by these, about their points.
+MatrixXd turning_inertia(const BucklingProblem& problem,
+                         const MatrixXd& motions) {
+  const auto& history = problem.history;
+  const double square = history.instants.back().rigid.omega.squaredNorm();
+  if (problem.mass == nullptr || motions.rows() < 6 || square == 0.0) {
+    return MatrixXd::Zero(motions.cols(), motions.cols());
+  }
+  const part::MassProperties& mass = *problem.mass;
+  const auto turn = motions.middleRows<3>(3);
+  MatrixXd way = motions.topRows<3>();
+  const Eigen::Vector3d arm = mass.p_LCm - history.seats.front().p_LS;
+  for (Index k = 0; k < way.cols(); ++k) {
+    way.col(k) += Eigen::Vector3d(turn.col(k)).cross(arm);
+  }
+  return square * (mass.mass * way.transpose() * way +
+                   turn.transpose() * mass.inertia_LCm * turn);
 }
 
 /// Whether a part keeps its direction over a motion, and no blow throws it
@@ -143,7 +166,7 @@ std::optional<double> BucklingOnSprings::factor_of_position(
                            null_space(hold.sprung.transpose() * motions_ * left,
                                       kRoundOff))
                 : left;
-  if (is_pushed(free, form)) return 0.0;
+  if (is_pushed(free, form, turning_inertia(problem_, motions_))) return 0.0;
   const double yield = rigid_yield(hold, form);
   if (yield == 0.0) return std::nullopt;
   return 1.0 / yield;
@@ -157,7 +180,8 @@ BucklingOnSprings::Position BucklingOnSprings::position(
   Position position{.stands = true};
   if (hold.is_pressed_meanwhile) {
     const MatrixXd left = null_space(conditions(hold, motions_), kRoundOff);
-    position.is_open = is_pushed(left, form);
+    position.is_open =
+        is_pushed(left, form, turning_inertia(problem_, motions_));
     return position;
   }
   const auto factor = factor_of_position(hold, form);

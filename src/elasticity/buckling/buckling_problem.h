@@ -12,6 +12,7 @@
 #include "elasticity/holds/pin_hold.h"
 #include "elasticity/problem/nodal_field.h"
 #include "loads/history/load_history.h"
+#include "part/mass_properties.h"
 #include "part/material.h"
 #include "part/part_definition.h"
 #include "part/supports.h"
@@ -38,6 +39,8 @@ struct BucklingProblem {
   /// Of one instant with one hold: a shape near to what is sought, by another
   /// degree. Null: none is known.
   const NodalField<3>* known = nullptr;
+  /// Null: nothing is said of how fast its loads push it over.
+  const part::MassProperties* mass = nullptr;
   double highest = 100.0;  ///< factors beyond are not looked for [1]
   double enough = 10.0;    ///< of a part on springs, beyond which none is [1]
 };

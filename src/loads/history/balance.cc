@@ -82,7 +82,9 @@ double part_size(const std::vector<GroupGeometry>& groups,
       box.extend(Vector3d(group.cylinder.p_LC + reach));
     }
   }
-  return box.diagonal().norm();
+  // A ring's faces may all have their middle in its centre.
+  const double gyration = std::sqrt(0.5 * mass.inertia_LCm.trace() / mass.mass);
+  return std::max(box.diagonal().norm(), 2.0 * gyration);
 }
 
 const GroupGeometry& find_group(const std::vector<GroupGeometry>& groups,

@@ -14,8 +14,9 @@ namespace clevis::loads {
 Wrench inertia_load(const RigidAcceleration& rigid,
                     const part::MassProperties& mass);
 
-/// Diameter of the smallest box about all groups and the centre of mass [m]:
-/// the length that makes moments and gaps of a part comparable.
+/// Diameter of the smallest box about all groups and the centre of mass, or
+/// twice the part's radius of gyration if that is larger [m]: the length that
+/// makes moments and gaps of a part comparable.
 double part_size(const std::vector<GroupGeometry>& groups,
                  const part::MassProperties& mass);
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "loads/holds/resting_contacts.h"
 #include "loads/holds/seat_hold.h"
 #include "mechanism/neighbours/elements_at_rest.h"
 
@@ -47,18 +48,19 @@ class NeighboursOverMotion::Holder {
   const mechanism::Neighbours& neighbours() const { return neighbours_; }
   /// With the friction that sticks at the instant.
   const mechanism::Neighbours& at(const mechanism::Instant& instant) {
-    const auto sticking = mechanism::sticking_coordinates(definition_, instant);
-    if (sticking.empty()) return neighbours_;
-    Coordinates coordinates;
-    for (const auto& one : sticking) {
-      coordinates.emplace_back(one.joint, one.coordinate);
+    const auto [drives, lines] = mechanism::sticking(definition_, instant);
+    if (drives.empty() && lines.empty()) return neighbours_;
+    Holding holding{{}, lines};
+    for (const auto& drive : drives) {
+      holding.first.emplace_back(drive.joint, drive.coordinate);
     }
-    auto& found = stuck_[coordinates];
+    auto& found = stuck_[holding];
     if (!found) {
       mechanism::MechanismDefinition held = definition_;
-      held.drives.insert(held.drives.end(), sticking.begin(), sticking.end());
+      held.drives.insert(held.drives.end(), drives.begin(), drives.end());
       found = std::make_unique<Stuck>(std::move(held), body_);
       leave_out(left_out_, found->neighbours);
+      for (const std::size_t line : lines) found->neighbours.hold_along(line);
     }
     return found->neighbours;
   }
@@ -66,7 +68,8 @@ class NeighboursOverMotion::Holder {
   std::map<std::size_t, SeatHold> known;  ///< by place
 
  private:
-  using Coordinates = std::vector<std::pair<int, int>>;  ///< of joints
+  /// Coordinates of joints, lines of elements.
+  using Holding = std::pair<std::vector<std::pair<int, int>>, Elements>;
   /// A mechanism with some friction that sticks.
   struct Stuck {
     Stuck(mechanism::MechanismDefinition given, mechanism::BodyIndex body)
@@ -80,7 +83,7 @@ class NeighboursOverMotion::Holder {
   mechanism::BodyIndex body_;
   Elements left_out_;
   mechanism::Neighbours neighbours_;
-  std::map<Coordinates, std::unique_ptr<Stuck>> stuck_;
+  std::map<Holding, std::unique_ptr<Stuck>> stuck_;
 };
 
 NeighboursOverMotion::NeighboursOverMotion(
@@ -93,37 +96,25 @@ NeighboursOverMotion::NeighboursOverMotion(
       acting_(std::move(acting)),
       places_(std::move(places)),
       wanted_(wanted) {
-  constexpr double kMost = 0.5;
-  Elements passing;
+  std::vector<const mechanism::Instant*> instants;
+  for (const Place& place : places_) instants.push_back(&place.instant);
+  const mechanism::Neighbours& all = holder({}).neighbours();
+  bouncing_.resize(places_.size());
   for (std::size_t e = 0; e < definition_.elements.size(); ++e) {
-    if (properties(definition_.elements[e]).presses &&
-        std::ranges::any_of(places_, [&](const Place& place) {
+    if (!properties(definition_.elements[e]).presses ||
+        std::ranges::none_of(places_, [&](const Place& place) {
           return lets_go(place.instant, e);
         })) {
-      letting_go_.push_back(e);
-      if (pressed_share(e) < kMost) passing.push_back(e);
+      continue;
     }
-  }
-  all_ = std::make_unique<Holder>(definition_, body, passing);
-  if (letting_go_.size() > passing.size()) {
-    lasting_ = std::make_unique<Holder>(definition_, body, letting_go_);
+    letting_go_.push_back(e);
+    for (const std::size_t i : bounces(all, e, instants)) {
+      bouncing_[i].push_back(e);
+    }
   }
 }
 
 NeighboursOverMotion::~NeighboursOverMotion() = default;
-
-double NeighboursOverMotion::pressed_share(std::size_t element) const {
-  double pressed = 0.0;
-  for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
-    if (lets_go(places_[i].instant, element) &&
-        lets_go(places_[i + 1].instant, element)) {
-      continue;
-    }
-    pressed += places_[i + 1].instant.t - places_[i].instant.t;
-  }
-  const double whole = places_.back().instant.t - places_.front().instant.t;
-  return whole > 0.0 ? pressed / whole : 0.0;
-}
 
 bool NeighboursOverMotion::presses_meanwhile(
     const mechanism::Instant& instant) const {
@@ -148,23 +139,32 @@ SeatHold NeighboursOverMotion::hold_by(const mechanism::Neighbours& neighbours,
   return hold;
 }
 
-SeatHold NeighboursOverMotion::hold_of(Holder& holder, double time) {
-  const std::size_t next = place_next_to(time);
+NeighboursOverMotion::Holder& NeighboursOverMotion::holder(
+    const Elements& left_out) {
+  auto& found = holders_[left_out];
+  if (!found) found = std::make_unique<Holder>(definition_, body_, left_out);
+  return *found;
+}
+
+SeatHold NeighboursOverMotion::hold_at(std::size_t next,
+                                       const Elements& left_out) {
   const std::scoped_lock lock(mutex_);
-  const auto [hold, is_new] = holder.known.try_emplace(next);
+  Holder& by = holder(left_out);
+  const auto [hold, is_new] = by.known.try_emplace(next);
   if (is_new) {
     const Place& place = places_[next];
-    hold->second = hold_by(holder.at(place.instant), place);
+    hold->second = hold_by(by.at(place.instant), place);
   }
   return hold->second;
 }
 
 SeatHold NeighboursOverMotion::hold(double time) {
-  return hold_of(*all_, time);
+  const std::size_t next = place_next_to(time);
+  return hold_at(next, bouncing_[next]);
 }
 
 SeatHold NeighboursOverMotion::lasting_hold(double time) {
-  return hold_of(lasting_ ? *lasting_ : *all_, time);
+  return hold_at(place_next_to(time), letting_go_);
 }
 
 std::optional<SeatHold> NeighboursOverMotion::hold_at_rest(double time) const {
@@ -179,11 +179,15 @@ std::optional<SeatHold> NeighboursOverMotion::hold_at_rest(double time) const {
 SeatGains NeighboursOverMotion::gains(std::size_t instant) {
   const std::scoped_lock lock(mutex_);
   const auto [gains, is_new] = gains_.try_emplace(instant);
-  if (is_new) gains->second = found_gains(places_[instant]);
+  if (is_new) {
+    gains->second =
+        found_gains(holder(letting_go_).neighbours(), places_[instant]);
+  }
   return gains->second;
 }
 
-SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
+SeatGains NeighboursOverMotion::found_gains(
+    const mechanism::Neighbours& neighbours, const Place& place) const {
   std::vector<mechanism::LoadPlace> acting = acting_;
   MatrixXd to_point = MatrixXd::Identity(kMotion * std::ssize(acting),
                                          kMotion * std::ssize(acting));
@@ -207,9 +211,7 @@ SeatGains NeighboursOverMotion::found_gains(const Place& place) const {
     of_way.block<3, 3>(at + 3, at + 3) = 0.5 * (outer + outer.transpose()) -
                                          outer.trace() * Matrix3d::Identity();
   }
-  const Holder& holder = lasting_ ? *lasting_ : *all_;
-  const auto found =
-      load_gains(holder.neighbours(), place.instant, acting, wanted_);
+  const auto found = load_gains(neighbours, place.instant, acting, wanted_);
   SeatGains gains{std::vector<std::size_t>(seats_.size()),
                   to_point.transpose() * found * to_point + of_way};
   std::iota(gains.seats.begin(), gains.seats.end(), std::size_t{0});

@@ -18,8 +18,8 @@ namespace clevis::loads {
 
 /// What the rest of the mechanism holds of a body, and what its loads gain as
 /// seats give way, at instants of its motion; worked out when it is asked for
-/// first, once each. Contacts and stops that press for most of the motion hold
-/// a part while they do, friction on a joint while it sticks.
+/// first, once each. Contacts and stops hold a part while they press and do not
+/// bounce, friction while it sticks.
 class NeighboursOverMotion {
  public:
   struct Place {
@@ -56,12 +56,11 @@ class NeighboursOverMotion {
   std::size_t place_next_to(double time) const;
   SeatHold hold_by(const mechanism::Neighbours& neighbours,
                    const Place& place) const;
-  SeatGains found_gains(const Place& place) const;
+  SeatGains found_gains(const mechanism::Neighbours& neighbours,
+                        const Place& place) const;
   bool presses_meanwhile(const mechanism::Instant& instant) const;
-  /// @param time  [s].
-  SeatHold hold_of(Holder& holder, double time);
-  /// Of the motion's time through which an element presses [1].
-  double pressed_share(std::size_t element) const;
+  Holder& holder(const Elements& left_out);
+  SeatHold hold_at(std::size_t place, const Elements& left_out);
 
   mechanism::MechanismDefinition definition_;
   mechanism::BodyIndex body_;
@@ -69,10 +68,10 @@ class NeighboursOverMotion {
   Elements letting_go_;  ///< press, but not always
   std::vector<mechanism::LoadPlace> acting_;
   std::vector<Place> places_;
+  std::vector<Elements> bouncing_;  ///< at each place
   double wanted_;
   std::mutex mutex_;
-  std::unique_ptr<Holder> all_;
-  std::unique_ptr<Holder> lasting_;  ///< null: the same
+  std::map<Elements, std::unique_ptr<Holder>> holders_;  ///< by those left out
   std::map<std::size_t, SeatGains> gains_;
 };
 

@@ -16,6 +16,7 @@ namespace clevis::mechanism {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 
 constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 constexpr double kAtRest = 1e-6;    // [m/s], [rad/s]
@@ -28,42 +29,61 @@ double load_of(const ActingElement& element, const Instant& instant) {
 
 }  // namespace
 
-std::vector<DriveDefinition> sticking_coordinates(
-    const MechanismDefinition& definition, const Instant& instant) {
-  std::vector<DriveDefinition> found;
+Sticking sticking(const MechanismDefinition& definition,
+                  const Instant& instant) {
+  Sticking found;
   std::optional<SolvingFrame> frame;
   Configuration x;
   std::vector<DriveDefinition> drives = definition.drives;
+  std::vector<Eigen::VectorXd> rows;  // of lines
+  const auto system_of = [&] {
+    return ConstraintSystem(*frame, drives, Motions::kSpatial,
+                            ConstraintSystem::Drives::kAll);
+  };
   const auto freedom = [&] {
-    const ConstraintSystem system(*frame, drives, Motions::kSpatial,
-                                  ConstraintSystem::Drives::kAll);
-    return null_space(system.jacobian(system.place(x)), kRoundOff).cols();
+    const ConstraintSystem system = system_of();
+    MatrixXd J = system.jacobian(system.place(x));
+    for (const Eigen::VectorXd& row : rows) {
+      J.conservativeResize(J.rows() + 1, Eigen::NoChange);
+      J.bottomRows(1) = row.transpose();
+    }
+    return null_space(J, kRoundOff).cols();
   };
   Index left = 0;
   const std::size_t count =
       std::min(instant.elements.size(), definition.elements.size());
   for (std::size_t e = 0; e < count; ++e) {
     const ElementLine* line = line_of(definition.elements[e]);
-    if (line == nullptr || line->kind != ElementLine::Kind::kJoint ||
-        std::abs(instant.elements[e].rate) > kAtRest) {
+    if (line == nullptr || std::abs(instant.elements[e].rate) > kAtRest) {
       continue;
     }
     if (!frame) frame.emplace(frame_at_centres(definition));
-    if (!place(definition.elements[e], *frame)->is_dry()) continue;
+    const auto placed = place(definition.elements[e], *frame);
+    if (!placed->is_dry()) continue;
     if (x.empty()) {
       x = configuration_at(*frame, instant);
       left = freedom();
     }
-    DriveDefinition sticking;
-    sticking.joint = line->joint;
-    sticking.coordinate = line->coordinate;
-    drives.push_back(sticking);
+    const bool is_joint = line->kind == ElementLine::Kind::kJoint;
+    if (is_joint) {
+      DriveDefinition& drive = drives.emplace_back();
+      drive.joint = line->joint;
+      drive.coordinate = line->coordinate;
+    } else {
+      rows.push_back(row_along(*placed, x, system_of()));
+    }
     const Index now = freedom();
     if (now < left) {
-      found.push_back(sticking);
       left = now;
-    } else {
+      if (is_joint) {
+        found.coordinates.push_back(drives.back());
+      } else {
+        found.lines.push_back(e);
+      }
+    } else if (is_joint) {
       drives.pop_back();
+    } else {
+      rows.pop_back();
     }
   }
   return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -8,10 +9,15 @@
 
 namespace clevis::mechanism {
 
-/// Friction on joints that sticks at an instant, as drives: of coordinates that
-/// neither joints nor drives fix.
-std::vector<DriveDefinition> sticking_coordinates(
-    const MechanismDefinition& definition, const Instant& instant);
+/// Friction that sticks at an instant, where neither joints nor drives nor
+/// other friction hold already.
+struct Sticking {
+  std::vector<DriveDefinition> coordinates;  ///< of joints
+  std::vector<std::size_t> lines;            ///< force elements between points
+};
+
+Sticking sticking(const MechanismDefinition& definition,
+                  const Instant& instant);
 
 /// The mechanism with springs in place of force elements that give way slowly
 /// by less than they do at once [N/m], [N m/rad]: gas that flows or takes heat,

@@ -95,6 +95,15 @@ PlacedJoint::Levers levers_of(const ActingElement& element,
       element.row);
 }
 
+Eigen::VectorXd row_along(const ActingElement& element, const Configuration& x,
+                          const ConstraintSystem& system) {
+  const PlacedJoint::Levers levers = levers_of(element, x);
+  std::vector<SpatialForce> all(x.size());
+  all[index(element.line.a)] = levers.a;
+  all[index(element.line.b)] = levers.b;
+  return system.wrench_vector(all);
+}
+
 MatrixXd root_of(const MatrixXd& matrix) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
   return solver.eigenvectors() *
@@ -130,6 +139,15 @@ Eigen::VectorXd Neighbours::row_of_teeth(const CouplingModel& coupling,
   return system_.wrench_vector(levers);
 }
 
+NeighbourPlace Neighbours::place_of(const ConstraintSystem::Row& row,
+                                    bool is_drive) const {
+  const JointModel& first = frame_.joints[index(row.joint)];
+  const bool is_second =
+      row.coupling >= 0 && first.a != slot_ && first.b != slot_;
+  return {is_second ? frame_.couplings[index(row.coupling)].joint_2 : row.joint,
+          is_drive};
+}
+
 NeighbourRows Neighbours::rows(const Instant& instant) const {
   NeighbourRows found;
   found.x = configuration_at(frame_, instant);
@@ -141,6 +159,13 @@ NeighbourRows Neighbours::rows(const Instant& instant) const {
     J.row(row) = row_of_teeth(frame_.couplings[index(coupling)], found.x,
                               placed, instant.couplings[index(coupling)].effort)
                      .transpose();
+  }
+  const Index of_constraints = J.rows();
+  J.conservativeResize(of_constraints + std::ssize(held_lines_),
+                       Eigen::NoChange);
+  for (std::size_t k = 0; k < held_lines_.size(); ++k) {
+    J.row(of_constraints + static_cast<Index>(k)) =
+        row_along(*elements_[held_lines_[k]], found.x, system_).transpose();
   }
   const auto block = [&](Index row, int of) {
     return J.row(row).segment<kTwist>(kTwist * (of - 1));
@@ -155,13 +180,13 @@ NeighbourRows Neighbours::rows(const Instant& instant) const {
       }
       continue;
     }
-    const ConstraintSystem::Row& of = system_.row_list()[index(row)];
-    const JointModel& first = frame_.joints[index(of.joint)];
-    const bool is_second =
-        of.coupling >= 0 && first.a != slot_ && first.b != slot_;
-    const NeighbourPlace place{
-        is_second ? frame_.couplings[index(of.coupling)].joint_2 : of.joint,
-        row >= system_.joint_rows()};
+    const NeighbourPlace place =
+        row < of_constraints
+            ? place_of(system_.row_list()[index(row)],
+                       row >= system_.joint_rows())
+            : NeighbourPlace{
+                  -1, false,
+                  static_cast<int>(held_lines_[index(row - of_constraints)])};
     const auto known = std::ranges::find(found.places, place);
     found.place_of.push_back(index(known - found.places.begin()));
     if (known == found.places.end()) found.places.push_back(place);

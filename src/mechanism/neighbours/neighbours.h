@@ -15,7 +15,7 @@
 namespace clevis::mechanism {
 
 /// A joint of a body, what a drive holds of it, or where a force element acts
-/// on it.
+/// on it or holds it.
 struct NeighbourPlace {
   int joint{};
   bool is_drive{};
@@ -61,6 +61,8 @@ class Neighbours {
   }
   /// Leaves an element out that lets go meanwhile.
   void leave_out(std::size_t element) { elements_[element] = nullptr; }
+  /// Lets an element hold its line as a joint would: friction that sticks.
+  void hold_along(std::size_t element) { held_lines_.push_back(element); }
   /// Of the neighbours about their centres, with rotors that turn between them,
   /// in unknowns of ConstraintSystem [kg].
   Eigen::MatrixXd masses(const Configuration& x) const;
@@ -75,12 +77,15 @@ class Neighbours {
                                const Configuration& x,
                                const std::vector<PlacedJoint>& placed,
                                double effort) const;
+  NeighbourPlace place_of(const ConstraintSystem::Row& row,
+                          bool is_drive) const;
 
   const MechanismDefinition& definition_;
   SolvingFrame frame_;
   ConstraintSystem system_;
   int slot_;
   std::vector<std::unique_ptr<ActingElement>> elements_;
+  std::vector<std::size_t> held_lines_;  ///< of elements
   std::vector<int> slots_;
 };
 
@@ -91,6 +96,10 @@ Configuration configuration_at(const SolvingFrame& frame,
 /// Of an effort of 1 along an element's line, in P. @pre it has one.
 PlacedJoint::Levers levers_of(const ActingElement& element,
                               const Configuration& x);
+
+/// The same of all bodies, in unknowns of a system. @pre it has one.
+Eigen::VectorXd row_along(const ActingElement& element, const Configuration& x,
+                          const ConstraintSystem& system);
 
 /// R with R Rᵀ a stiffness [N/m], damping or inertia; of what pushes on
 /// nothing.
