@@ -272,7 +272,7 @@ PartAssessment check_part(const PartJob& given) {
   result.buckling.euler = result.beam.buckling_safety;
   result.buckling.strut_is_longer = job.buckling_length.has_value();
   assessment.fields.buckling = std::move(buckling.shape);
-  doubt_moved_frequencies(job, buckling.stiffening, result);
+  doubt_moved_frequencies(job, held, buckling.stiffening, result);
   doubt_pulsing_loads(job, result);
   // Its equations are those of the hold.
   const bool rises = buckling.on_springs.rises();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Core>
@@ -398,6 +399,26 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
 
 double HeldMotions::first_period(std::size_t set) {
   return motion(set).longest;
+}
+
+std::vector<HeldMeanwhile> HeldMotions::meanwhile(std::size_t set) {
+  const Motion& of = motion(set);
+  if (of.modes.empty()) return {};
+  Instants all(of.modes.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<HeldMeanwhile> found;
+  for (const Instants& group : alike(of.modes, all)) {
+    HeldMeanwhile& held = found.emplace_back(HeldMeanwhile{of.loads});
+    auto& instants = held.motion.history.instants;
+    instants.clear();
+    for (const std::size_t i : group) {
+      instants.push_back(of.loads.history.instants[i]);
+      held.first = std::max(held.first, of.modes[i].first_period);
+      held.excited =
+          std::max(held.excited, counted_periods(of.modes[i]).longest);
+    }
+  }
+  return found;
 }
 
 std::vector<HeldStretch> HeldMotions::stretches(

@@ -25,6 +25,13 @@ struct HeldStretch {
   double swept = 0.0;
 };
 
+/// Instants of a motion at which the mechanism holds a part alike.
+struct HeldMeanwhile {
+  LoadSet motion;
+  double first{};    ///< longest first period [s]
+  double excited{};  ///< longest of those that its loads excite; 0: none [s]
+};
+
 /// How the mechanism holds a part through the motions of its load sets; worked
 /// out when it is asked for first.
 class HeldMotions {
@@ -43,6 +50,8 @@ class HeldMotions {
       std::size_t set) {
     return motion(set).moved;
   }
+  /// By ways in which the part is held over the motion; none: it has but one.
+  std::vector<HeldMeanwhile> meanwhile(std::size_t set);
   /// What lies in windows of followed_loads(), by ways in which the mechanism
   /// holds and weighs the part, and places of its slides, that leave like
   /// vibrations to its loads; of such instants that counts at which the loads

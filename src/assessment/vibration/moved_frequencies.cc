@@ -23,13 +23,12 @@ struct AxialStress {
 
 /// Why a part's vibration is not known where its first frequency is not that of
 /// its shapes at rest; empty: it is.
-/// @param first  period [s].
-std::string not_known_moved(const PartJob& job, const LoadSet& given,
+/// @param motion  of followed_loads(). @param first  period [s].
+std::string not_known_moved(const PartJob& job, const LoadSet& motion,
                             const PartResult& result, const AxialStress& axial,
                             double first) {
   constexpr double kSlender = 10.0;
   constexpr double kGuided = 1.25;  // squares, by regression.sliding_rods
-  const LoadSet motion = followed_loads(given);
   if (spins_fast(job, motion, first)) return {};  // not_known_spinning()
   const dynamics::LoadPath components = load_components(job, motion);
   const TurningPart turning = turning_part(job, motion, first);
@@ -88,7 +87,7 @@ std::string not_known_spinning(const PartJob& job, const LoadSet& given,
       spin_about_length(job, motion) * first / (2.0 * std::numbers::pi));
 }
 
-void doubt_moved_frequencies(const PartJob& job,
+void doubt_moved_frequencies(const PartJob& job, HeldMotions& held,
                              const std::vector<double>& stiffening,
                              PartResult& result) {
   if (!result.first_period || !result.vibration.not_followed.empty()) return;
@@ -96,12 +95,20 @@ void doubt_moved_frequencies(const PartJob& job,
     const auto& factors = result.buckling.of_motions;
     const AxialStress axial{s < factors.size() ? factors[s] : HUGE_VAL,
                             s < stiffening.size() ? stiffening[s] : 0.0};
-    for (const double first : {*result.first_period, *first_excited(result)}) {
-      std::string unknown =
-          not_known_moved(job, job.load_sets[s], result, axial, first);
-      if (unknown.empty()) continue;
-      result.vibration.not_followed = std::move(unknown);
-      return;
+    auto held_as = held.meanwhile(s);
+    if (held_as.empty()) {
+      held_as.push_back({followed_loads(job.load_sets[s]), *result.first_period,
+                         *first_excited(result)});
+    }
+    for (const auto& [motion, first, excited] : held_as) {
+      for (const double period : {first, excited}) {
+        if (!(period > 0.0)) continue;
+        std::string unknown =
+            not_known_moved(job, motion, result, axial, period);
+        if (unknown.empty()) continue;
+        result.vibration.not_followed = std::move(unknown);
+        return;
+      }
     }
   }
 }

@@ -19,9 +19,11 @@ std::string not_known_spinning(const PartJob& job, const LoadSet& given,
 /// Doubts the vibration of a part whose first frequency is moved, by its own
 /// inertia as it turns or by what presses or pulls it, to where its loads make
 /// it swing farther: shapes are those at rest.
+/// A part that is held otherwise from time to time is looked at meanwhile: it
+/// may turn fast while it is held stiffly.
 /// @param stiffening  of BucklingCheck.
 /// @pre vibration and buckling are checked.
-void doubt_moved_frequencies(const PartJob& job,
+void doubt_moved_frequencies(const PartJob& job, HeldMotions& held,
                              const std::vector<double>& stiffening,
                              PartResult& result);
 

@@ -1,10 +1,12 @@
 #include "loads/parts/series_loads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
@@ -161,6 +163,40 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
   }
 }
 
+/// Tells forces that travel on what they are spread over, as those of slides: a
+/// file says where their resultants act, not on how much of a face.
+void note_travelling(const LoadSeries& series,
+                     const std::vector<GroupGeometry>& groups,
+                     const std::string& place, LoadHistory& history) {
+  constexpr double kCounts = 0.1;  // of its largest force
+  constexpr double kTravels = 0.2;
+  for (std::size_t s = 0; s < history.seats.size(); ++s) {
+    double largest = 0.0;
+    for (const InstantLoad& instant : history.instants) {
+      largest = std::max(largest, instant.wrenches[s].force.norm());
+    }
+    Eigen::AlignedBox3d lines, face;
+    for (const InstantLoad& instant : history.instants) {
+      const auto& [force, moment] = instant.wrenches[s];
+      if (largest == 0.0 || force.norm() < kCounts * largest) continue;
+      lines.extend(Vector3d(force.cross(moment) / force.squaredNorm()));
+    }
+    const std::string& name = history.seats[s].group;
+    const GroupGeometry& group = find_group(groups, name, place);
+    for (const Vector3d& point : group.points.colwise()) face.extend(point);
+    const double size =
+        face.isEmpty() ? std::sqrt(group.area) : face.diagonal().norm();
+    if (lines.isEmpty() || lines.diagonal().norm() < kTravels * size) continue;
+    history.notes.push_back(fmt::format(
+        "history {}: the force \"{}\" travels by {:.3g} mm on \"{}\" ({:.3g} "
+        "mm). It is spread over all of that, where it may stress the part far "
+        "less than where it stands: check the mechanism itself, whose slides "
+        "have a length, or cases with a group where it stands",
+        series.name, history.seats[s].name, lines.diagonal().norm() * 1e3, name,
+        size * 1e3));
+  }
+}
+
 }  // namespace
 
 LoadHistory series_loads(const part::PartDefinition& part,
@@ -183,6 +219,7 @@ LoadHistory series_loads(const part::PartDefinition& part,
     instant.label = label_of(series, given, steps);
     history.instants.push_back(std::move(instant));
   }
+  note_travelling(series, groups, place, history);
   for (const auto& [name, components] : series.fixed) {
     find_group(groups, name, place);
   }

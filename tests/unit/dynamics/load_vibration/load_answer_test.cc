@@ -247,6 +247,22 @@ TEST(LoadAnswer, DampersCoupleModes) {
   }
 }
 
+// Within a jump it is looked at as behind it: what a strong damper takes away
+// in no time would grow backwards as fast.
+TEST(LoadAnswer, LooksWithinAJumpOfWhatIsDamped) {
+  const double width = 1e-6;
+  Eigen::VectorXd time(4);
+  time << 0.0, 0.5, 0.5 + width, 1.0;
+  const Eigen::RowVector4d values(0.0, 0.0, 1.0, 1.0);
+  const dynamics::LoadPath path(time, values, 2.0 * width);
+  ASSERT_TRUE(path.is_jump(1));
+  const VectorXd looks = VectorXd::Constant(1, 0.5 + 0.1 * width);
+  const auto found = dynamics::answer_to(
+      path, MatrixXd::Ones(1, 1), VectorXd::Constant(1, 4.0 * kPi * kPi),
+      {Eigen::ArrayXd::Zero(1), MatrixXd::Constant(1, 1, 1e9)}, looks);
+  EXPECT_NEAR(found.added.cwiseAbs().maxCoeff(), 1.0, 1e-6);
+}
+
 // A damper drags on a load that rises evenly: w' of the load is not zero.
 TEST(LoadAnswer, DampedRampLagsBehind) {
   const double zeta = 0.2, rise = 30.0;

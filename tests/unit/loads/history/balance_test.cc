@@ -1,5 +1,7 @@
 #include "loads/history/balance.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "base/messages/errors.h"
@@ -36,6 +38,16 @@ TEST(Balance, FloatsOnTheMassOfAnotherMesh) {
   float_on(fine, history);
   EXPECT_LT(off(fine), 1e-13);
   EXPECT_NO_THROW(require_balance(history, fine, 0.1, "part"));
+}
+
+// Faces of a ring that spins about its middle all have theirs there.
+TEST(Balance, ARingHasTheSizeOfItsGyration) {
+  auto ring = mass_of(0.4, Vector3d::Zero());
+  ring.inertia_LCm = Vector3d(5e-4, 5e-4, 1e-3).asDiagonal();
+  std::vector<GroupGeometry> groups(2);
+  EXPECT_NEAR(part_size(groups, ring), 0.1, 1e-12);
+  groups[1].centroid = {0.3, 0.0, 0.4};  // farther out
+  EXPECT_NEAR(part_size(groups, ring), 0.5, 1e-12);
 }
 
 // Shares of next to nothing of a loaded mechanism carry the round-off of that.

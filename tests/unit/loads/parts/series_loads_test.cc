@@ -1,6 +1,8 @@
 #include "loads/parts/series_loads.h"
 
+#include <algorithm>
 #include <numbers>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -60,6 +62,30 @@ part::PartDefinition part_definition() {
   part::PartDefinition part;
   part.name = "P";
   return part;
+}
+
+// A force across the end face, whose moment about its middle says where.
+TEST(SeriesLoads, TellForcesThatTravel) {
+  part::LoadSeries series = loads::series();
+  part::SeriesInstant& first = series.instants[0];
+  first.forces[1] = {30.0, 0.0, 0.0};
+  series.instants.push_back(first);
+  const auto notes_at = [&](double moment) {
+    series.instants[1].time = 0.6;
+    series.instants[1].moments[1] = {0.0, 0.0, moment};
+    return series_loads(part_definition(), series, groups(), mass()).notes;
+  };
+  const auto travels = [](const std::string& note) {
+    return note.find("travels") != std::string::npos;
+  };
+  // The face is 10 mm wide: 1.9 and 2.1 mm.
+  EXPECT_TRUE(std::ranges::none_of(notes_at(30.0 * 1.9e-3), travels));
+  const auto notes = notes_at(30.0 * 2.1e-3);
+  const auto note = std::ranges::find_if(notes, travels);
+  ASSERT_NE(note, notes.end());
+  EXPECT_NE(note->find("\"push\" travels by 2.1 mm on \"end\" (10 mm)"),
+            std::string::npos)
+      << *note;
 }
 
 TEST(SeriesLoads, MomentsMoveToTheMiddleOfTheBore) {

@@ -2,13 +2,17 @@
 // break away, gas that flows and takes heat.
 #include "mechanism/neighbours/elements_at_rest.h"
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mechanism/mass_matrix/centre_frame.h"
+#include "mechanism/neighbours/neighbours.h"
 #include "support/free_linkages.h"
 
 namespace clevis::mechanism {
@@ -52,16 +56,51 @@ double stiffness_of(const MechanismDefinition& m, std::size_t element) {
 TEST(ElementsAtRest, HoldsAsADriveOnce) {
   MechanismDefinition m = bar_with_brakes({});
   Instant instant = placed(m);
-  const auto sticking = sticking_coordinates(m, instant);
-  ASSERT_EQ(sticking.size(), 1U);
-  EXPECT_EQ(sticking[0].joint, 0);
+  const Sticking found = sticking(m, instant);
+  ASSERT_EQ(found.coordinates.size(), 1U);
+  EXPECT_EQ(found.coordinates[0].joint, 0);
+  EXPECT_TRUE(found.lines.empty());
   instant.elements[0].rate = instant.elements[1].rate = 1e-3;
-  EXPECT_TRUE(sticking_coordinates(m, instant).empty());
+  EXPECT_TRUE(sticking(m, instant).coordinates.empty());
   instant.elements[0].rate = instant.elements[1].rate = 0.0;
   DriveDefinition drive;
   drive.joint = 0;
   m.drives = {drive};
-  EXPECT_TRUE(sticking_coordinates(m, instant).empty());
+  EXPECT_TRUE(sticking(m, instant).coordinates.empty());
+}
+
+// Across the bar it holds its turn; along it the pin does already, and behind
+// the first one another.
+TEST(ElementsAtRest, HoldsItsLineBetweenPoints) {
+  MechanismDefinition m = bar_with_brakes({});
+  for (ForceElement& element : m.elements) {
+    ElementLine& line = std::get<LineElement>(element).line;
+    line.kind = ElementLine::Kind::kSlide;
+    line.a = {kGround, Vector3d(1.0, -1.0, 0.0)};
+    line.b = {0, Vector3d(1.0, 0.0, 0.0)};
+    line.axis_L = Vector3d::UnitY();
+  }
+  const Instant instant = placed(m);
+  Sticking found = sticking(m, instant);
+  EXPECT_TRUE(found.coordinates.empty());
+  EXPECT_EQ(found.lines, std::vector<std::size_t>{0});
+  Neighbours neighbours(m, 0);
+  const Eigen::Index rows = neighbours.rows(instant).body.rows();
+  neighbours.hold_along(0);
+  const NeighbourRows held = neighbours.rows(instant);
+  ASSERT_EQ(held.body.rows(), rows + 1);
+  EXPECT_EQ(held.places[held.place_of.back()], (NeighbourPlace{-1, false, 0}));
+  // At the tip, 0.5 m from the centre of mass, by turns times the length.
+  const double length = neighbours.frame().length;
+  const auto along = held.body.bottomRows(1);
+  EXPECT_NEAR(along(0, 1), 1.0, 1e-12);
+  EXPECT_NEAR(along(0, 5), 0.5 / length, 1e-12);
+  EXPECT_NEAR(along.norm(), std::hypot(1.0, 0.5 / length), 1e-12);
+  for (ForceElement& element : m.elements) {
+    std::get<LineElement>(element).line.axis_L = Vector3d::UnitX();
+  }
+  found = sticking(m, instant);
+  EXPECT_TRUE(found.lines.empty());
 }
 
 // 3 N m less what they bear already, over 1/200 rad; each by itself.
