@@ -42,10 +42,12 @@ void require_a_band(const mesh::PartMesh<3>& mesh, const PartJob& job) {
 
 /// Writes a finer mesh of the part in the place of its own.
 void write_finer_mesh(const PartJob& job, const part::GeometryInput& input,
-                      const cad::Refinement& finer) {
+                      const cad::Refinement& finer, bool in_space) {
   const part::PartDefinition& part = job.part;
   const std::string stamp = geometry_stamp(part, input);
-  const SolidMesh made = mesh_solid_part(part, input.solid, finer);
+  part::SolidSource source = input.solid;
+  if (in_space) source.sweep = false;
+  const SolidMesh made = mesh_solid_part(part, source, finer);
   require_a_band(made.mesh, job);
   report::write_file(part.mesh, stamped(made.text, stamp));
 }
@@ -94,11 +96,12 @@ CheckedPart check_on_finer_meshes(const LoadedScene& loaded,
       std::ranges::find(loaded.scene.parts, job.part.name,
                         &part::PartDefinition::name) -
       loaded.scene.parts.begin());
-  return check_in_rounds(
-      job, limits, assessment::check_part, [&](const cad::Refinement& finer) {
-        write_finer_mesh(job, loaded.scene.inputs[index], finer);
-        return job_anew(loaded, index, motion, job);
-      });
+  return check_in_rounds(job, limits, assessment::check_part,
+                         [&](const cad::Refinement& finer, bool in_space) {
+                           write_finer_mesh(job, loaded.scene.inputs[index],
+                                            finer, in_space);
+                           return job_anew(loaded, index, motion, job);
+                         });
 }
 
 }  // namespace clevis::app

@@ -87,7 +87,7 @@ cad::Refinement finer_mesh(cad::Refinement last,
 CheckedPart check_in_rounds(
     PartJob job, RoundLimits limits,
     const std::function<assessment::PartAssessment(const PartJob&)>& check,
-    const std::function<PartJob(const cad::Refinement&)>& mesh_again) {
+    const std::function<PartJob(const cad::Refinement&, bool)>& mesh_again) {
   cad::Refinement finer;
   PartSeconds before;
   std::vector<std::string> told;
@@ -115,7 +115,7 @@ CheckedPart check_in_rounds(
       job.tell("meshing finer");
       const auto listener = job.listener;
       try {
-        PartJob again = mesh_again(finer);
+        PartJob again = mesh_again(finer, assessment.fields.dim == 3);
         const bool is_finer = !is_same(job.mesh, again.mesh);
         job = std::move(again);
         job.mesh_round = made + 1;

@@ -40,12 +40,14 @@ struct RoundLimits {
 /// little.
 /// Notes tell each round; seconds are those of all.
 /// @param check   as assessment::check_part().
-/// @param mesh_again  the part on a mesh with such a refinement.
+/// @param mesh_again  the part on a mesh with such a refinement; `in_space` if
+///   it was solved by solid cells, which are as fine all along where they are
+///   swept: tetrahedra need fewer.
 CheckedPart check_in_rounds(
     assessment::PartJob job, RoundLimits limits,
     const std::function<assessment::PartAssessment(const assessment::PartJob&)>&
         check,
-    const std::function<assessment::PartJob(const cad::Refinement&)>&
-        mesh_again);
+    const std::function<assessment::PartJob(const cad::Refinement&,
+                                            bool in_space)>& mesh_again);
 
 }  // namespace clevis::app

@@ -2,44 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
-
-#include "mechanism/element_base/acting_element.h"
+#include "mechanism/neighbours/elements_at_rest.h"
 
 namespace clevis::loads {
 namespace {
 
 using Instants = std::vector<const mechanism::Instant*>;
-
-/// Of a unit effort on one body that nothing else holds, 1/m [1/kg].
-double mobility(const mechanism::Neighbours& neighbours,
-                const mechanism::Configuration& x, int slot,
-                const mechanism::SpatialForce& lever) {
-  if (slot == 0) return 0.0;
-  const auto at = static_cast<std::size_t>(slot);
-  const auto& mass = neighbours.definition().bodies[at - 1].mass_properties;
-  const Eigen::Vector3d turn = x[at].R.transpose() * lever.w;
-  return lever.v.squaredNorm() / mass.mass +
-         turn.dot(mass.inertia_LCm.inverse() * turn);
-}
-
-/// Of two bodies on the stiffness of what presses between them [s]; infinite
-/// where it has none.
-double period_on(const mechanism::Neighbours& neighbours, std::size_t element,
-                 const mechanism::Instant& instant) {
-  const auto& acting = *neighbours.elements()[element];
-  const auto x = mechanism::configuration_at(neighbours.frame(), instant);
-  const auto spring = acting.spring(x, instant.elements[element]);
-  if (spring.directions.empty()) return HUGE_VAL;
-  const auto& levers = spring.directions.front();
-  const double square = spring.stiffness(0, 0) *
-                        (mobility(neighbours, x, acting.line.a, levers.a) +
-                         mobility(neighbours, x, acting.line.b, levers.b));
-  return square > 0.0 ? 2.0 * std::numbers::pi / std::sqrt(square) : HUGE_VAL;
-}
 
 /// A time through which an element presses: its first and last instants.
 struct Press {
@@ -78,7 +47,9 @@ std::vector<std::size_t> bounces(const mechanism::Neighbours& neighbours,
       return effort(a) < effort(b);
     });
     const double length = instants[press.to]->t - instants[press.from]->t;
-    if (length > kPeriods * period_on(neighbours, element, **hardest)) continue;
+    if (length >
+        kPeriods * mechanism::free_period(neighbours, element, **hardest))
+      continue;
     for (std::size_t i = press.from; i <= press.to; ++i) found.push_back(i);
   }
   return found;

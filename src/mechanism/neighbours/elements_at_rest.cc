@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
+
+#include <Eigen/LU>
 
 #include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
@@ -17,6 +20,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 
 constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 constexpr double kAtRest = 1e-6;    // [m/s], [rad/s]
@@ -27,7 +31,31 @@ double load_of(const ActingElement& element, const Instant& instant) {
   return followed < 0 ? 1.0 : force_across(instant.joints[index(followed)]);
 }
 
+/// Of a unit effort on one body that nothing else holds, 1/m [1/kg].
+double mobility(const Neighbours& neighbours, const Configuration& x, int slot,
+                const SpatialForce& lever) {
+  if (slot == 0) return 0.0;
+  const auto at = static_cast<std::size_t>(slot);
+  const auto& mass = neighbours.definition().bodies[at - 1].mass_properties;
+  const Vector3d turn = x[at].R.transpose() * lever.w;
+  return lever.v.squaredNorm() / mass.mass +
+         turn.dot(mass.inertia_LCm.inverse() * turn);
+}
+
 }  // namespace
+
+double free_period(const Neighbours& neighbours, std::size_t element,
+                   const Instant& instant) {
+  const auto& acting = *neighbours.elements()[element];
+  const auto x = configuration_at(neighbours.frame(), instant);
+  const auto spring = acting.spring(x, instant.elements[element]);
+  if (spring.directions.empty()) return HUGE_VAL;
+  const auto& levers = spring.directions.front();
+  const double square = spring.stiffness(0, 0) *
+                        (mobility(neighbours, x, acting.line.a, levers.a) +
+                         mobility(neighbours, x, acting.line.b, levers.b));
+  return square > 0.0 ? 2.0 * std::numbers::pi / std::sqrt(square) : HUGE_VAL;
+}
 
 Sticking sticking(const MechanismDefinition& definition,
                   const Instant& instant) {

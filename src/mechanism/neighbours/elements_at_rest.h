@@ -6,6 +6,7 @@
 
 #include "mechanism/definition/definition.h"
 #include "mechanism/definition/motion.h"
+#include "mechanism/neighbours/neighbours.h"
 
 namespace clevis::mechanism {
 
@@ -18,6 +19,11 @@ struct Sticking {
 
 Sticking sticking(const MechanismDefinition& definition,
                   const Instant& instant);
+
+/// Of a force element's two bodies, held by nothing else, on the stiffness that
+/// it has [s]; infinite where it has none.
+double free_period(const Neighbours& neighbours, std::size_t element,
+                   const Instant& instant);
 
 /// The mechanism with springs in place of force elements that give way slowly
 /// by less than they do at once [N/m], [N m/rad]: gas that flows or takes heat,

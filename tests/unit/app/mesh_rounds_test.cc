@@ -43,6 +43,8 @@ struct Rounds {
   std::size_t more = 100;  ///< cells per round
   std::vector<bool> may_be_finer = {};
   std::vector<cad::Refinement> finer = {};
+  int dim = 3;  ///< of the model
+  std::vector<bool> in_space = {};
 
   CheckedPart start(std::size_t cells, int rounds,
                     std::optional<double> seconds = std::nullopt) {
@@ -51,10 +53,14 @@ struct Rounds {
         [this](const PartJob& job) {
           const double open = opens.at(may_be_finer.size());
           may_be_finer.push_back(job.may_be_meshed_finer);
-          return open_by(open, open > kTolerance ? PeakVerdict::kNotConverged
-                                                 : PeakVerdict::kConverged);
+          auto answer =
+              open_by(open, open > kTolerance ? PeakVerdict::kNotConverged
+                                              : PeakVerdict::kConverged);
+          answer.fields.dim = dim;
+          return answer;
         },
-        [this, cells](const cad::Refinement& refinement) {
+        [this, cells](const cad::Refinement& refinement, bool by_solid) {
+          in_space.push_back(by_solid);
           finer.push_back(refinement);
           return part_of(cells + finer.size() * more);
         });
@@ -70,6 +76,15 @@ TEST(MeshRounds, EndWhereTheMeshLeavesNoMoreThanTheTolerance) {
   EXPECT_NE(checked.assessment.result.notes[0].find(
                 "1000 cells left 5 % open, now 1100"),
             std::string::npos);
+}
+
+TEST(MeshRounds, TellWhetherAPlateWasSolvedAsASolid) {
+  Rounds solid{{0.05, 0.004}}, plate{{0.05, 0.004}};
+  plate.dim = 2;
+  solid.start(1000, 5);
+  plate.start(1000, 5);
+  EXPECT_EQ(solid.in_space, std::vector{true});
+  EXPECT_EQ(plate.in_space, std::vector{false});
 }
 
 TEST(MeshRounds, CheckAMeshOfHardlyMoreCellsWithAllDegrees) {
@@ -161,7 +176,7 @@ TEST(MeshRounds, WhatNoMeshClosesTakesAllDegrees) {
         may_be_finer.push_back(job.may_be_meshed_finer);
         return open_by(0.004, PeakVerdict::kNotConverged);
       },
-      [](const cad::Refinement&) -> PartJob {
+      [](const cad::Refinement&, bool) -> PartJob {
         throw std::logic_error("meshed again");
       });
   EXPECT_EQ(may_be_finer, (std::vector{true, false}));
@@ -176,7 +191,7 @@ CheckedPart refused_by(const Error& error, std::vector<bool>& may_be_finer) {
         may_be_finer.push_back(job.may_be_meshed_finer);
         return open_by(0.05, PeakVerdict::kNotConverged);
       },
-      [&](const cad::Refinement&) -> PartJob {
+      [&](const cad::Refinement&, bool) -> PartJob {
         throw Error(error);
       });
 }
