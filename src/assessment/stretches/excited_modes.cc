@@ -27,6 +27,16 @@ bool has_all_of(const HeldModes& a, const HeldModes& b, double apart) {
   });
 }
 
+/// Of the periods, longest first, that of the first vibration which bends the
+/// part: the others are swings of the rigid part, which its motion has.
+double first_of_part(const VectorXd& periods, const VectorXd& own_share) {
+  constexpr double kBends = 0.1;  // of the strain energy
+  for (Index k = 0; k < periods.size(); ++k) {
+    if (own_share[k] >= kBends) return periods[k];
+  }
+  return periods[0];
+}
+
 }  // namespace
 
 VectorXd seat_wrenches(const loads::InstantLoad& instant) {
@@ -128,7 +138,7 @@ HeldModes ExcitedModes::of(const loads::SeatHold& hold, std::size_t instant) {
                             ? (vibrations.bending.col(k).transpose() * changes)
                                   .lpNorm<Eigen::Infinity>()
                             : 0.0;
-    answers[k] = bent / std::sqrt(squares[k]);
+    answers[k] = bent * std::sqrt(vibrations.own_share[k] / squares[k]);
     if (answers[k] > 0.0) answers[k] *= amplification(periods[k]);
   }
   const double most = answers.size() > 0 ? answers.maxCoeff() : 0.0;
@@ -137,7 +147,7 @@ HeldModes ExcitedModes::of(const loads::SeatHold& hold, std::size_t instant) {
   if (has_others_) answers.head(std::min(kFirst, count)).setOnes();
   // Few shapes have those far above the first that counts only roughly.
   constexpr double kShortest = 0.1;
-  HeldModes found{periods[0], {}};
+  HeldModes found{first_of_part(periods, vibrations.own_share), {}};
   double longest = 0.0;
   for (Index k = 0; k < count; ++k) {
     if (answers[k] < kKept || periods[k] < kShortest * longest) continue;

@@ -20,7 +20,8 @@ struct ExcitedMode {
   double answer{};  ///< to the loads, over that of the mode with the most [1]
 };
 
-/// Modes of a hold, and the first period whether loads excite it or not.
+/// Modes of a hold, and the first period of those that bend the part, whether
+/// loads excite it or not.
 struct HeldModes {
   double first_period{};           ///< [s]
   std::vector<ExcitedMode> modes;  ///< that count, the longest first
@@ -47,7 +48,7 @@ Eigen::VectorXd seat_wrenches(const loads::InstantLoad& instant);
 Eigen::MatrixXd seat_changes(const loads::LoadHistory& motion);
 
 /// Which vibrations of a part the loads of its motion excite. A mode counts by
-/// what its share of the loads would bend it to at rest, times what an
+/// what its share of the loads would bend the part to at rest, times what an
 /// oscillator of its period answers to them.
 class ExcitedModes {
  public:

@@ -384,16 +384,11 @@ HeldMotions::Motion& HeldMotions::motion(std::size_t set) {
   Motion& motion = *found;
   look_at_seats(motion);
   const loads::LoadHistory& history = motion.loads.history;
-  double slowest = history.hold_time;
-  if (!motion.modes.empty()) {
-    const auto longest =
-        std::ranges::max_element(motion.modes, {}, &HeldModes::first_period);
-    slowest =
-        history
-            .instants[static_cast<std::size_t>(longest - motion.modes.begin())]
-            .time;
-  }
-  motion.longest = period_held(motion, slowest);
+  motion.longest =
+      motion.modes.empty()
+          ? period_held(motion, history.hold_time)
+          : std::ranges::max(motion.modes, {}, &HeldModes::first_period)
+                .first_period;
   return motion;
 }
 

@@ -96,11 +96,17 @@ void doubt_moved_frequencies(const PartJob& job, HeldMotions& held,
     const AxialStress axial{s < factors.size() ? factors[s] : HUGE_VAL,
                             s < stiffening.size() ? stiffening[s] : 0.0};
     auto held_as = held.meanwhile(s);
+    // Swings of bodies on what holds them are in the motion, and seldom
+    // excited.
+    for (HeldMeanwhile& one : held_as) {
+      if (one.excited > 0.0) one.first = one.excited;
+    }
     if (held_as.empty()) {
       held_as.push_back({followed_loads(job.load_sets[s]), *result.first_period,
                          *first_excited(result)});
     }
     for (const auto& [motion, first, excited] : held_as) {
+      if (motion.history.instants.size() < 2) continue;  // nothing drives it
       for (const double period : {first, excited}) {
         if (!(period > 0.0)) continue;
         std::string unknown =

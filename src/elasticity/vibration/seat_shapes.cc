@@ -171,9 +171,11 @@ SeatShapes::Vibrations SeatShapes::held_by(const loads::SeatHold& hold) const {
   const MatrixXd vibrations = modes.eigenvectors().rightCols(count);
   const MatrixXd shapes = all.left.topRows(motions_.cols()) * vibrations;
   const Index elastic = motions_.cols() - rigid_;
+  const MatrixXd bent = shapes.bottomRows(elastic);
+  const VectorXd own = bent.cwiseAbs2().transpose() * squares_.tail(elastic);
   return {squares, ratios_of(all.dampers, vibrations, squares),
-          motions_ * shapes,
-          motions_.rightCols(elastic) * shapes.bottomRows(elastic)};
+          motions_ * shapes, motions_.rightCols(elastic) * bent,
+          own.cwiseQuotient(squares).cwiseMin(1.0)};
 }
 
 SeatShapes::Swings SeatShapes::rigid_swings(const loads::SeatHold& hold) const {

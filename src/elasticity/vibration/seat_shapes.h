@@ -35,6 +35,9 @@ class SeatShapes {
     /// The same less what the part moves as a whole: loads in balance excite by
     /// that alone.
     Eigen::MatrixXd bending;
+    /// Of their strain energy, the part's: swings on springs bend it little
+    /// [1].
+    Eigen::VectorXd own_share;
   };
   /// @param hold  of seats' wrenches in the span of `seats`.
   Vibrations held_by(const loads::SeatHold& hold) const;

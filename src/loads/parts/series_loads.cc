@@ -163,37 +163,55 @@ void balance(const LoadSeries& series, const part::MassProperties& mass,
   }
 }
 
+/// Way that the line of a seat's force has over the rows that matter, along its
+/// bore or on its face [m]; 0: it leaves that, as where moments load it.
+double way_of_force(const LoadHistory& history, std::size_t seat,
+                    const GroupGeometry& group, double size) {
+  constexpr double kCounts = 0.1;  // of its largest force
+  constexpr double kWithin = 0.6;  // of the size, from its middle
+  double largest = 0.0;
+  for (const InstantLoad& instant : history.instants) {
+    largest = std::max(largest, instant.wrenches[seat].force.norm());
+  }
+  Eigen::AlignedBox3d lines;
+  for (const InstantLoad& instant : history.instants) {
+    const auto& [force, moment] = instant.wrenches[seat];
+    if (largest == 0.0 || force.norm() < kCounts * largest) continue;
+    Vector3d at = force.cross(moment) / force.squaredNorm();
+    if (history.seats[seat].kind == SeatKind::kBearing) {
+      at = at.dot(group.cylinder.axis_L) * group.cylinder.axis_L;
+    }
+    if (at.norm() > kWithin * size) return 0.0;
+    lines.extend(at);
+  }
+  return lines.isEmpty() ? 0.0 : lines.diagonal().norm();
+}
+
+double size_of(const GroupGeometry& group) {
+  if (group.is_cylinder) return group.cylinder.length;
+  Eigen::AlignedBox3d face;
+  for (const Vector3d& point : group.points.colwise()) face.extend(point);
+  return face.isEmpty() ? std::sqrt(group.area) : face.diagonal().norm();
+}
+
 /// Tells forces that travel on what they are spread over, as those of slides: a
 /// file says where their resultants act, not on how much of a face.
 void note_travelling(const LoadSeries& series,
                      const std::vector<GroupGeometry>& groups,
                      const std::string& place, LoadHistory& history) {
-  constexpr double kCounts = 0.1;  // of its largest force
   constexpr double kTravels = 0.2;
   for (std::size_t s = 0; s < history.seats.size(); ++s) {
-    double largest = 0.0;
-    for (const InstantLoad& instant : history.instants) {
-      largest = std::max(largest, instant.wrenches[s].force.norm());
-    }
-    Eigen::AlignedBox3d lines, face;
-    for (const InstantLoad& instant : history.instants) {
-      const auto& [force, moment] = instant.wrenches[s];
-      if (largest == 0.0 || force.norm() < kCounts * largest) continue;
-      lines.extend(Vector3d(force.cross(moment) / force.squaredNorm()));
-    }
-    const std::string& name = history.seats[s].group;
-    const GroupGeometry& group = find_group(groups, name, place);
-    for (const Vector3d& point : group.points.colwise()) face.extend(point);
-    const double size =
-        face.isEmpty() ? std::sqrt(group.area) : face.diagonal().norm();
-    if (lines.isEmpty() || lines.diagonal().norm() < kTravels * size) continue;
+    const Seat& seat = history.seats[s];
+    const GroupGeometry& group = find_group(groups, seat.group, place);
+    const double size = size_of(group);
+    const double way = way_of_force(history, s, group, size);
+    if (way < kTravels * size) continue;
     history.notes.push_back(fmt::format(
         "history {}: the force \"{}\" travels by {:.3g} mm on \"{}\" ({:.3g} "
         "mm). It is spread over all of that, where it may stress the part far "
         "less than where it stands: check the mechanism itself, whose slides "
         "have a length, or cases with a group where it stands",
-        series.name, history.seats[s].name, lines.diagonal().norm() * 1e3, name,
-        size * 1e3));
+        series.name, seat.name, way * 1e3, seat.group, size * 1e3));
   }
 }
 

@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "base/algebra/singular_vectors.h"
 #include "base/values/index.h"
 #include "mechanism/mass_matrix/centre_frame.h"
@@ -31,15 +29,18 @@ double load_of(const ActingElement& element, const Instant& instant) {
   return followed < 0 ? 1.0 : force_across(instant.joints[index(followed)]);
 }
 
-/// Of a unit effort on one body that nothing else holds, 1/m [1/kg].
+/// Of a unit effort on one body that nothing else holds, 1/m [1/kg]. What has
+/// no inertia of its own is held by others.
 double mobility(const Neighbours& neighbours, const Configuration& x, int slot,
                 const SpatialForce& lever) {
   if (slot == 0) return 0.0;
-  const auto at = static_cast<std::size_t>(slot);
-  const auto& mass = neighbours.definition().bodies[at - 1].mass_properties;
-  const Vector3d turn = x[at].R.transpose() * lever.w;
-  return lever.v.squaredNorm() / mass.mass +
-         turn.dot(mass.inertia_LCm.inverse() * turn);
+  const auto& mass =
+      neighbours.definition().bodies[index(slot - 1)].mass_properties;
+  const Vector3d turn = x[index(slot)].R.transpose() * lever.w;
+  const double inertia = turn.dot(mass.inertia_LCm * turn);
+  const double square = turn.squaredNorm();
+  return (mass.mass > 0.0 ? lever.v.squaredNorm() / mass.mass : 0.0) +
+         (inertia > 0.0 ? square * square / inertia : 0.0);
 }
 
 }  // namespace

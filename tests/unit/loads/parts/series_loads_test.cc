@@ -86,6 +86,8 @@ TEST(SeriesLoads, TellForcesThatTravel) {
   EXPECT_NE(note->find("\"push\" travels by 2.1 mm on \"end\" (10 mm)"),
             std::string::npos)
       << *note;
+  // A moment, not a place: off the face.
+  EXPECT_TRUE(std::ranges::none_of(notes_at(30.0 * 6.1e-3), travels));
 }
 
 TEST(SeriesLoads, MomentsMoveToTheMiddleOfTheBore) {
