@@ -21,6 +21,7 @@ using assessment::PeakStress;
 using assessment::PeakVerdict;
 
 constexpr std::size_t kMostCells = 20000;
+constexpr double kFarOpen = 0.25;  // once more as many cells will not do
 
 bool is_open(const PartResult& result) {
   return judged_peak(result).verdict == PeakVerdict::kNotConverged;
@@ -115,7 +116,8 @@ CheckedPart check_in_rounds(
       job.tell("meshing finer");
       const auto listener = job.listener;
       try {
-        PartJob again = mesh_again(finer, assessment.fields.dim == 3);
+        PartJob again =
+            mesh_again(finer, assessment.fields.dim == 3 && *open > kFarOpen);
         const bool is_finer = !is_same(job.mesh, again.mesh);
         job = std::move(again);
         job.mesh_round = made + 1;

@@ -41,8 +41,8 @@ struct RoundLimits {
 /// Notes tell each round; seconds are those of all.
 /// @param check   as assessment::check_part().
 /// @param mesh_again  the part on a mesh with such a refinement; `in_space` if
-///   it was solved by solid cells, which are as fine all along where they are
-///   swept: tetrahedra need fewer.
+///   solid cells leave it open by more than a quarter: swept ones are as fine
+///   all along, and tetrahedra need fewer.
 CheckedPart check_in_rounds(
     assessment::PartJob job, RoundLimits limits,
     const std::function<assessment::PartAssessment(const assessment::PartJob&)>&

@@ -78,12 +78,12 @@ TEST(MeshRounds, EndWhereTheMeshLeavesNoMoreThanTheTolerance) {
             std::string::npos);
 }
 
-TEST(MeshRounds, TellWhetherAPlateWasSolvedAsASolid) {
-  Rounds solid{{0.05, 0.004}}, plate{{0.05, 0.004}};
+TEST(MeshRounds, TellWhetherSolidCellsAreFarOff) {
+  Rounds far{{0.26, 0.004}}, near{{0.24, 0.004}}, plate{{0.26, 0.004}};
   plate.dim = 2;
-  solid.start(1000, 5);
-  plate.start(1000, 5);
-  EXPECT_EQ(solid.in_space, std::vector{true});
+  for (Rounds* run : {&far, &near, &plate}) run->start(1000, 5);
+  EXPECT_EQ(far.in_space, std::vector{true});
+  EXPECT_EQ(near.in_space, std::vector{false});
   EXPECT_EQ(plate.in_space, std::vector{false});
 }
 
