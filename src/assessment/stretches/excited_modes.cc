@@ -27,17 +27,13 @@ bool has_all_of(const HeldModes& a, const HeldModes& b, double apart) {
   });
 }
 
-/// Of the periods, longest first, that of the first vibration which bends the
-/// part: the others are swings of the rigid part, which its motion has.
-double first_of_part(const VectorXd& periods, const VectorXd& own_share) {
-  constexpr double kBends = 0.1;  // of the strain energy
-  for (Index k = 0; k < periods.size(); ++k) {
-    if (own_share[k] >= kBends) return periods[k];
-  }
-  return periods[0];
-}
-
 }  // namespace
+
+double longest_of_part(const VectorXd& periods, const VectorXd& own_share) {
+  constexpr double kStrained = 0.01;
+  const auto strained = own_share.array() > kStrained;
+  return strained.select(periods.array(), periods.minCoeff()).maxCoeff();
+}
 
 VectorXd seat_wrenches(const loads::InstantLoad& instant) {
   constexpr Index kWrench = 6;
@@ -147,7 +143,7 @@ HeldModes ExcitedModes::of(const loads::SeatHold& hold, std::size_t instant) {
   if (has_others_) answers.head(std::min(kFirst, count)).setOnes();
   // Few shapes have those far above the first that counts only roughly.
   constexpr double kShortest = 0.1;
-  HeldModes found{first_of_part(periods, vibrations.own_share), {}};
+  HeldModes found{longest_of_part(periods, vibrations.own_share), {}};
   double longest = 0.0;
   for (Index k = 0; k < count; ++k) {
     if (answers[k] < kKept || periods[k] < kShortest * longest) continue;

@@ -39,6 +39,12 @@ CountedPeriods counted_periods(const HeldModes& held);
 /// is across it.
 bool are_like(const HeldModes& a, const HeldModes& b, double apart);
 
+/// Longest period of the vibrations that strain the part [s]: rigid ones and
+/// other bodies swing more slowly on soft springs. None does: the shortest.
+/// @param own_share  the part's, of their strain energy [1].
+double longest_of_part(const Eigen::VectorXd& periods,
+                       const Eigen::VectorXd& own_share);
+
 /// What an instant's seats carry, 6 n [N], [N m].
 Eigen::VectorXd seat_wrenches(const loads::InstantLoad& instant);
 

@@ -406,12 +406,13 @@ std::vector<HeldMeanwhile> HeldMotions::meanwhile(std::size_t set) {
     HeldMeanwhile& held = found.emplace_back(HeldMeanwhile{of.loads});
     auto& instants = held.motion.history.instants;
     instants.clear();
+    double first = 0.0;
     for (const std::size_t i : group) {
       instants.push_back(of.loads.history.instants[i]);
-      held.first = std::max(held.first, of.modes[i].first_period);
-      held.excited =
-          std::max(held.excited, counted_periods(of.modes[i]).longest);
+      first = std::max(first, of.modes[i].first_period);
+      held.period = std::max(held.period, counted_periods(of.modes[i]).longest);
     }
+    if (held.period == 0.0) held.period = first;
   }
   return found;
 }

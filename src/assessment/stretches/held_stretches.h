@@ -28,8 +28,7 @@ struct HeldStretch {
 /// Instants of a motion at which the mechanism holds a part alike.
 struct HeldMeanwhile {
   LoadSet motion;
-  double first{};    ///< longest first period [s]
-  double excited{};  ///< longest of those that its loads excite; 0: none [s]
+  double period{};  ///< longest that its loads excite; none: of the first [s]
 };
 
 /// How the mechanism holds a part through the motions of its load sets; worked

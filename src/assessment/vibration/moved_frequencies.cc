@@ -96,25 +96,19 @@ void doubt_moved_frequencies(const PartJob& job, HeldMotions& held,
     const AxialStress axial{s < factors.size() ? factors[s] : HUGE_VAL,
                             s < stiffening.size() ? stiffening[s] : 0.0};
     auto held_as = held.meanwhile(s);
-    // Swings of bodies on what holds them are in the motion, and seldom
-    // excited.
-    for (HeldMeanwhile& one : held_as) {
-      if (one.excited > 0.0) one.first = one.excited;
-    }
     if (held_as.empty()) {
-      held_as.push_back({followed_loads(job.load_sets[s]), *result.first_period,
-                         *first_excited(result)});
-    }
-    for (const auto& [motion, first, excited] : held_as) {
-      if (motion.history.instants.size() < 2) continue;  // nothing drives it
-      for (const double period : {first, excited}) {
-        if (!(period > 0.0)) continue;
-        std::string unknown =
-            not_known_moved(job, motion, result, axial, period);
-        if (unknown.empty()) continue;
-        result.vibration.not_followed = std::move(unknown);
-        return;
+      const LoadSet motion = followed_loads(job.load_sets[s]);
+      for (const double first :
+           {*result.first_period, *first_excited(result)}) {
+        held_as.push_back({motion, first});
       }
+    }
+    for (const auto& [motion, first] : held_as) {
+      if (motion.history.instants.size() < 2) continue;  // nothing drives it
+      std::string unknown = not_known_moved(job, motion, result, axial, first);
+      if (unknown.empty()) continue;
+      result.vibration.not_followed = std::move(unknown);
+      return;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "assessment/job/part_zones.h"
 #include "assessment/pace/load_pace.h"
+#include "assessment/stretches/excited_modes.h"
 #include "loads/history/motion_instants.h"
 #include "stress/field/stress_history.h"
 #include "stress/many_instants/field_reduction.h"
@@ -115,15 +116,6 @@ dynamics::ModeDamping damping_of(
     const typename elasticity::LoadVibration<dim>::Shapes& shapes,
     double of_part) {
   return {of_part * shapes.own_share.array().max(0.0), shapes.dampers};
-}
-
-/// Of the shapes that strain the part: other bodies swing more slowly on soft
-/// springs, whose periods would be too long a measure of time.
-double lowest_of_part(const VectorXd& frequencies, const VectorXd& own_share) {
-  constexpr double kStrained = 0.01;
-  const auto strained = own_share.array() > kStrained;
-  const double highest = frequencies.maxCoeff();
-  return strained.select(frequencies.array(), highest).minCoeff();
 }
 
 loads::LoadHistory held_at(double time, loads::LoadHistory history) {
@@ -259,7 +251,7 @@ VibratingAnswer<dim> VibratingModel<dim>::answer(int count,
   const VectorXd hertz = shapes.squares.cwiseSqrt() / (2.0 * std::numbers::pi);
   VibratingAnswer<dim> found;
   found.shapes = static_cast<int>(hertz.size());
-  found.lowest = lowest_of_part(hertz, shapes.own_share);
+  found.lowest = 1.0 / longest_of_part(hertz.cwiseInverse(), shapes.own_share);
   found.highest = hertz.maxCoeff();
   const double shape_front = kFront / shapes.squares.cwiseSqrt().maxCoeff();
   const double front = std::max(shape_front, rest_.mesh_front());

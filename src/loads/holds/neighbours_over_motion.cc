@@ -21,11 +21,6 @@ using Eigen::Vector3d;
 
 constexpr Index kMotion = 6;
 
-bool lets_go(const mechanism::Instant& instant, std::size_t element) {
-  return element >= instant.elements.size() ||
-         instant.elements[element].effort == 0.0;
-}
-
 void leave_out(const std::vector<std::size_t>& elements,
                mechanism::Neighbours& neighbours) {
   for (const std::size_t e : elements) neighbours.leave_out(e);

@@ -19,8 +19,7 @@ std::vector<Press> presses(const Instants& instants, std::size_t element) {
   std::vector<Press> found;
   bool pressed = false;
   for (std::size_t i = 0; i < instants.size(); ++i) {
-    const auto& states = instants[i]->elements;
-    const bool now = element < states.size() && states[element].effort != 0.0;
+    const bool now = !lets_go(*instants[i], element);
     if (now && !pressed) found.push_back({i, i});
     if (now) found.back().to = i;
     pressed = now;
@@ -29,6 +28,11 @@ std::vector<Press> presses(const Instants& instants, std::size_t element) {
 }
 
 }  // namespace
+
+bool lets_go(const mechanism::Instant& instant, std::size_t element) {
+  return element >= instant.elements.size() ||
+         instant.elements[element].effort == 0.0;
+}
 
 std::vector<std::size_t> bounces(const mechanism::Neighbours& neighbours,
                                  std::size_t element,

@@ -255,6 +255,41 @@ TEST(SeatShapes, RotorOnTheEndOfARod) {
   EXPECT_NEAR(moved[1].moved / up, 1.0, 5e-3);
 }
 
+/// A rod that carries a mass stands on a spring along it: its share of the
+/// swing is that of a rod under the forces of even acceleration.
+TEST(SeatShapes, ARodOnASpringHasAShareOfItsSwing) {
+  const double length = 0.5, side = 0.01, mass = 1.0;
+  const auto mesh = block_mesh({10, 1, 1}, {length, side, side});
+  const double axial = kSteel.youngs_modulus * side * side / length;
+  const double spring = 0.01 * axial;
+  loads::SeatHold clamped;
+  clamped.held = Eigen::MatrixXd::Identity(12, 6);
+  clamped.weighed = Eigen::MatrixXd::Zero(12, 3);
+  clamped.weighed.block<3, 3>(6, 0).diagonal().setConstant(std::sqrt(mass));
+  loads::SeatHold sprung = clamped;
+  sprung.held = clamped.held.rightCols(5).eval();
+  sprung.sprung = std::sqrt(spring) * clamped.held.leftCols(1);
+  loads::LoadHistory history;
+  history.seats = {
+      {.name = "foot", .group = "x0", .kind = loads::SeatKind::kTraction},
+      {.name = "end", .group = "x1", .kind = loads::SeatKind::kTraction}};
+  history.seats[0].p_LS = {0.0, 0.5 * side, 0.5 * side};
+  history.seats[1].p_LS = {length, 0.5 * side, 0.5 * side};
+  history.hold = [&](double) {
+    return clamped;
+  };
+  elasticity::FirstPeriods<3> periods({mesh, kSteel, history, {}, "rod"}, 2);
+  const auto shapes = periods.seat_shapes(
+      elasticity::span_of({clamped, sprung}, {}), history.seats, {});
+  ASSERT_TRUE(shapes);
+  EXPECT_NEAR(shapes->held_by(clamped).own_share.minCoeff(), 1.0, 1e-9);
+  const double own = kSteel.density * side * side * length;
+  const double of_rod = (mass * mass + mass * own + own * own / 3.0) / axial;
+  const double of_spring = (mass + own) * (mass + own) / spring;
+  const double share = of_rod / (of_rod + of_spring);
+  EXPECT_NEAR(shapes->held_by(sprung).own_share.minCoeff() / share, 1.0, 0.02);
+}
+
 /// The frequency's error falls with the power 2p of the cell's size.
 TEST(Modes, ErrorFallsWithTwiceTheDegree) {
   const double a = 0.1;
