@@ -82,6 +82,19 @@ double rise_along_lines(int subdivisions, const VectorXd& values,
   return rise;
 }
 
+/// Whether all points of the lattice beside a place count: between those and
+/// others what counts ends.
+/// @param offsets  of the lattice, in spacings. @param place  likewise.
+bool lies_among(const MatrixXd& offsets, const VectorXd& counting,
+                const VectorXd& place) {
+  constexpr double kBeside = 0.999;  // spacings
+  for (Index i = 0; i < offsets.cols(); ++i) {
+    if (counting[i] > 0.0) continue;
+    if ((offsets.col(i) - place).cwiseAbs().maxCoeff() < kBeside) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int dim>
@@ -120,8 +133,11 @@ double rise_between_points(mesh::CellShape shape, int subdivisions,
   for (int round = 0; round < kRounds; ++round) {
     spacing *= 0.5;
     const auto points = surroundings<dim>(shape, from, spacing);
-    const VectorXd found =
-        monomials<dim>(subdivisions * (points.colwise() - centre)) * factors;
+    const MatrixXd places = subdivisions * (points.colwise() - centre);
+    VectorXd found = monomials<dim>(places) * factors;
+    for (Index i = 0; i < places.cols(); ++i) {
+      if (!lies_among(offsets, counting, places.col(i))) found[i] = -HUGE_VAL;
+    }
     Index highest = 0;
     best = std::max(best, found.maxCoeff(&highest));
     from = points.col(highest);

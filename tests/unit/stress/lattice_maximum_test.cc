@@ -70,6 +70,31 @@ TEST(LatticeMaximum, OnAnEdgeOfATetrahedron) {
   EXPECT_NEAR(solid.at_points + solid.rise, 3.0, 2e-4);
 }
 
+// What rises towards a corner that is left out does not count from there on.
+TEST(LatticeMaximum, NothingOfWhatIsLeftOut) {
+  constexpr double kOut = 0.35;
+  const auto lattice =
+      elasticity::lattice<3>(mesh::CellShape::kSimplex, kSubdivisions);
+  const VectorXd away = lattice.colwise().norm();
+  const VectorXd values = away.cwiseMax(0.05).cwiseInverse();
+  VectorXd counting = VectorXd::Ones(away.size());
+  Index at = 0;
+  double highest = 0.0;
+  for (Index i = 0; i < away.size(); ++i) {
+    if (away[i] < kOut) counting[i] = 0.0;
+    if (counting[i] == 0.0 || values[i] <= highest) continue;
+    highest = values[i];
+    at = i;
+  }
+  const auto rise = [&](const VectorXd& counted) {
+    return rise_between_points<3>(mesh::CellShape::kSimplex, kSubdivisions,
+                                  values, counted, at);
+  };
+  EXPECT_LE(highest + rise(counting), 1.0 / kOut);
+  // The points in the corner shape no polynomial, their place does.
+  EXPECT_LT(rise(counting), 0.02 * highest);
+}
+
 TEST(LatticeMaximum, HoopStressOfAHoleInCellsOf45Degrees) {
   // Kirsch, round the hole: 1 - 2 cos 2 theta, at most 3.
   const auto hole = found<2>(mesh::CellShape::kTensor, [](const Vector2d& x) {
