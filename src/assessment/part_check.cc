@@ -234,9 +234,11 @@ PartAssessment check_part(const PartJob& given) {
   add_facet_doubt(job, assessment.fields, assessment.result);
   add_round_doubt(job, assessment.result);
   add_zone_doubt(job, assessment.result);
-  if (!given.judges_open_peak &&
+  const double solved = watch.lap();
+  const bool is_late = given.late_after && solved > *given.late_after;
+  if (!given.judges_open_peak && !is_late &&
       judged_peak(assessment.result).verdict == PeakVerdict::kNotConverged) {
-    assessment.result.seconds.total = watch.lap();
+    assessment.result.seconds.total = solved;
     return assessment;
   }
   add_shear_doubt(job, assessment.fields, assessment.result);
@@ -297,7 +299,8 @@ PartAssessment check_part(const PartJob& given) {
       strength_notes(judged > 0.0 ? job.part.material.yield_strength / stressed
                                   : 0.0),
       result);
-  result.seconds.total = watch.lap();
+  result.seconds.total = solved + watch.lap();
+  assessment.is_judged = true;
   return assessment;
 }
 

@@ -92,12 +92,13 @@ CheckedPart check_in_rounds(
   cad::Refinement finer;
   PartSeconds before;
   std::vector<std::string> told;
-  bool takes_all_degrees = false;
+  bool takes_all_degrees = false, in_space = false;
   for (int made = 0;; ++made) {
     const std::size_t cells = job.mesh.cells.size();
     const bool has_rounds = made < limits.rounds && cells <= kMostCells;
     job.may_be_meshed_finer = has_rounds && !takes_all_degrees;
     job.judges_open_peak = !job.may_be_meshed_finer;
+    if (limits.seconds) job.late_after = *limits.seconds - before.total;
     auto assessment = check(job);
     add(before, assessment.result.seconds);
     const auto open = open_by_mesh(assessment.result, job.tolerance);
@@ -116,8 +117,9 @@ CheckedPart check_in_rounds(
       job.tell("meshing finer");
       const auto listener = job.listener;
       try {
-        PartJob again =
-            mesh_again(finer, assessment.fields.dim == 3 && *open > kFarOpen);
+        // Once it is, it stays so: a swept mesh would be coarser again.
+        in_space |= assessment.fields.dim == 3 && *open > kFarOpen;
+        PartJob again = mesh_again(finer, in_space);
         const bool is_finer = !is_same(job.mesh, again.mesh);
         job = std::move(again);
         job.mesh_round = made + 1;
@@ -141,7 +143,8 @@ CheckedPart check_in_rounds(
       before.total += meshing;
       continue;
     }
-    if (is_open(assessment.result) && !job.judges_open_peak) {
+    if (is_open(assessment.result) && !job.judges_open_peak &&
+        !assessment.is_judged) {
       // No other mesh comes. Degrees that are wanted but late are left out.
       job.may_be_meshed_finer = is_late;
       job.judges_open_peak = true;

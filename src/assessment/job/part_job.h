@@ -89,6 +89,8 @@ struct PartJob {
   /// Else the check ends at an open peak, and nothing is judged: a finer mesh
   /// comes.
   bool judges_open_peak = true;
+  /// Then none comes, and an open peak is judged: of the check [s].
+  std::optional<double> late_after = std::nullopt;
   std::vector<std::string> notes;  ///< of the mesh, for the result
   /// Of meshes finer than the first, 1, 2, …
   int mesh_round = 0;
@@ -166,6 +168,7 @@ struct PartAssessment {
   PartResult result;
   PartFields fields;
   std::vector<OpenPlace> open_places = {};  ///< of the judged peak
+  bool is_judged = false;                   ///< else it ended at an open peak
 };
 
 }  // namespace clevis::assessment

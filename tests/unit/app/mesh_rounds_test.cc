@@ -1,5 +1,6 @@
 #include "app/solids/mesh_rounds.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ struct Rounds {
   std::vector<cad::Refinement> finer = {};
   int dim = 3;  ///< of the model
   std::vector<bool> in_space = {};
+  bool is_judged = false;  ///< though it is open
+  std::vector<double> late_after = {};
 
   CheckedPart start(std::size_t cells, int rounds,
                     std::optional<double> seconds = std::nullopt) {
@@ -53,10 +56,12 @@ struct Rounds {
         [this](const PartJob& job) {
           const double open = opens.at(may_be_finer.size());
           may_be_finer.push_back(job.may_be_meshed_finer);
+          if (job.late_after) late_after.push_back(std::round(*job.late_after));
           auto answer =
               open_by(open, open > kTolerance ? PeakVerdict::kNotConverged
                                               : PeakVerdict::kConverged);
           answer.fields.dim = dim;
+          answer.is_judged = is_judged;
           return answer;
         },
         [this, cells](const cad::Refinement& refinement, bool by_solid) {
@@ -85,6 +90,10 @@ TEST(MeshRounds, TellWhetherSolidCellsAreFarOff) {
   EXPECT_EQ(far.in_space, std::vector{true});
   EXPECT_EQ(near.in_space, std::vector{false});
   EXPECT_EQ(plate.in_space, std::vector{false});
+  // What is meshed in space stays so, however little is left.
+  Rounds again{{0.26, 0.04, 0.004}};
+  again.start(1000, 5);
+  EXPECT_EQ(again.in_space, (std::vector{true, true}));
 }
 
 TEST(MeshRounds, CheckAMeshOfHardlyMoreCellsWithAllDegrees) {
@@ -158,6 +167,11 @@ TEST(MeshRounds, StopWhereTheTimeIsOver) {
                 "no finer mesh and no higher degree: the part took 6"),
             std::string::npos)
       << checked.assessment.result.notes[1];
+  // Nor that, where the check knew that it was late.
+  Rounds judged{{0.05, 0.03}};
+  judged.is_judged = true;
+  judged.start(1000, 5, 5.0);
+  EXPECT_EQ(judged.late_after, (std::vector{5.0, 2.0}));
   Rounds in_time{{0.05, 0.004}};
   EXPECT_EQ(in_time.start(1000, 5, 100.0).assessment.result.notes.size(), 1U);
 }
