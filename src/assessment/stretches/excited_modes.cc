@@ -60,6 +60,28 @@ bool are_like(const HeldModes& a, const HeldModes& b, double apart) {
   return has_all_of(a, b, apart) && has_all_of(b, a, apart);
 }
 
+std::vector<std::vector<std::size_t>> like_instants(
+    const std::vector<HeldModes>& modes, const std::vector<std::size_t>& at) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::vector<std::size_t>> groups;
+  for (double apart = kLikePeriods; apart < 2.0;
+       apart *= 2.0) {  // 1: any period
+    groups.clear();
+    for (const std::size_t i : at) {
+      const auto like = std::ranges::find_if(groups, [&](const auto& group) {
+        return are_like(modes[group.front()], modes[i], apart);
+      });
+      if (like != groups.end()) {
+        like->push_back(i);
+      } else {
+        groups.push_back({i});
+      }
+    }
+    if (groups.size() <= kMost) break;
+  }
+  return groups;
+}
+
 MatrixXd seat_changes(const loads::LoadHistory& motion) {
   constexpr double kNothing = 1e-6;  // of the largest change
   constexpr Index kSome = 64, kVector = 3;

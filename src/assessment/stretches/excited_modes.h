@@ -39,6 +39,14 @@ CountedPeriods counted_periods(const HeldModes& held);
 /// is across it.
 bool are_like(const HeldModes& a, const HeldModes& b, double apart);
 
+/// Instants whose modes are like those of the first of their group: eight
+/// groups at most, for which they may be farther apart.
+/// @param modes  of each instant. @param at  of these.
+std::vector<std::vector<std::size_t>> like_instants(
+    const std::vector<HeldModes>& modes, const std::vector<std::size_t>& at);
+
+inline constexpr double kLikePeriods = 0.02;  ///< as the width of a resonance
+
 /// Longest period of the vibrations that strain the part [s]: rigid ones and
 /// other bodies swing more slowly on soft springs. None does: the shortest.
 /// @param own_share  the part's, of their strain energy [1].

@@ -93,30 +93,9 @@ class HeldMotions {
   void make_solvers(Motion& motion) const;
   /// First period as the part is held at a time [s].
   double period_held(Motion& motion, double time) const;
-  /// Largest answer of the modes that an instant has, as slides change them
-  /// [1].
-  double swept_answer(const Motion& motion, std::size_t instant,
-                      const std::vector<VibrationWindow>& driven) const;
-  /// An instant, and what oscillators of its modes answer [1].
-  struct Excited {
-    std::size_t instant{};
-    double answer{};
-  };
-  /// Fills in windows and hold of a stretch. @return the instant of this.
-  Excited excite(const Motion& motion, const Instants& at,
-                 const std::vector<VibrationWindow>& driven,
-                 HeldStretch& stretch) const;
-  /// @param windows  of the instants. @param loaded  whose loads count.
-  Excited most_excited(const Motion& motion, const Instants& at,
-                       const std::vector<VibrationWindow>& windows,
-                       const std::vector<VibrationWindow>& loaded) const;
 
   const PartJob& job_;
   std::vector<std::optional<Motion>> motions_;
 };
-
-/// What lies in both, rising. @param a, b  rising.
-std::vector<VibrationWindow> in_both(const std::vector<VibrationWindow>& a,
-                                     const std::vector<VibrationWindow>& b);
 
 }  // namespace clevis::assessment

@@ -30,6 +30,34 @@ std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all) {
   return apart;
 }
 
+std::vector<VibrationWindow> in_both(const std::vector<VibrationWindow>& a,
+                                     const std::vector<VibrationWindow>& b) {
+  std::vector<VibrationWindow> both;
+  for (const VibrationWindow& one : a) {
+    for (const VibrationWindow& other : b) {
+      const VibrationWindow shared{std::max(one.from, other.from),
+                                   std::min(one.to, other.to)};
+      if (shared.to > shared.from) both.push_back(shared);
+    }
+  }
+  return both;
+}
+
+double total_duration(const std::vector<VibrationWindow>& windows) {
+  double sum = 0.0;
+  for (const VibrationWindow& window : windows) sum += window.to - window.from;
+  return sum;
+}
+
+VibrationWindow nearest_times(const std::vector<loads::InstantLoad>& instants,
+                              std::size_t i) {
+  const auto between = [&](std::size_t later) {
+    return 0.5 * (instants[later - 1].time + instants[later].time);
+  };
+  return {i == 0 ? -HUGE_VAL : between(i),
+          i + 1 == instants.size() ? HUGE_VAL : between(i + 1)};
+}
+
 std::vector<VibrationWindow> vibration_windows(
     const std::vector<double>& onsets, double period,
     const VibrationWindow& motion) {
@@ -75,9 +103,7 @@ std::vector<Eigen::Index> instants_within(
 
 Eigen::VectorXd times_within(const std::vector<VibrationWindow>& windows,
                              double step, int most) {
-  double total = 0.0;
-  for (const VibrationWindow& window : windows)
-    total += window.to - window.from;
+  const double total = total_duration(windows);
   const double apart = std::max(step, total / most);
   std::vector<double> times;
   for (const VibrationWindow& window : windows) {

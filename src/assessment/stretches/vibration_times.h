@@ -16,6 +16,17 @@ struct VibrationWindow {
 /// Those that meet or overlap as one; rising.
 std::vector<VibrationWindow> joined(std::vector<VibrationWindow> all);
 
+/// What lies in both, rising. @param a, b  rising.
+std::vector<VibrationWindow> in_both(const std::vector<VibrationWindow>& a,
+                                     const std::vector<VibrationWindow>& b);
+
+/// Of all windows [s].
+double total_duration(const std::vector<VibrationWindow>& windows);
+
+/// Times that are nearer to an instant than to others.
+VibrationWindow nearest_times(const std::vector<loads::InstantLoad>& instants,
+                              std::size_t i);
+
 /// From a first period before each onset until five after it. Joined where they
 /// meet, within the motion.
 /// @param onsets  rising [s]. @param period  first [s].

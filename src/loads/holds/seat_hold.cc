@@ -147,6 +147,29 @@ SeatHold on_more_seats(SeatHold hold, std::size_t seats) {
   return hold;
 }
 
+bool are_alike(const SeatHold& a, const SeatHold& b, double apart) {
+  const auto is_same = [apart](const MatrixXd& one, const MatrixXd& other) {
+    const MatrixXd first = one * one.transpose();
+    const MatrixXd second = other * other.transpose();
+    return (first - second).norm() <= apart * second.norm();
+  };
+  const auto swing_alike = [&] {
+    if (!a.swinging || !b.swinging) return !a.swinging && !b.swinging;
+    return is_same(a.swinging->held, b.swinging->held) &&
+           is_same(a.swinging->followed, b.swinging->followed) &&
+           is_same(a.swinging->sprung, b.swinging->sprung) &&
+           is_same(a.swinging->sprung_there, b.swinging->sprung_there);
+  };
+  return is_same(a.held, b.held) && is_same(a.weighed, b.weighed) &&
+         is_same(a.sprung, b.sprung) && swing_alike();
+}
+
+bool has_spin(const SeatHold& hold) {
+  constexpr double kRoundOff = 1e-9;  // of masses per second
+  return hold.spin.norm() >
+         kRoundOff * (hold.weighed * hold.weighed.transpose()).norm();
+}
+
 std::size_t hardest_instant(const std::vector<InstantLoad>& instants) {
   const auto size = [](const InstantLoad& load) {
     double sum = 0.0;

@@ -34,6 +34,14 @@ SeatHold with_wrenches(
 /// weigh nothing.
 SeatHold on_more_seats(SeatHold hold, std::size_t seats);
 
+/// Whether the mechanism holds and weighs the same.
+/// @param apart  of sums of squares [1].
+bool are_alike(const SeatHold& a, const SeatHold& b, double apart);
+
+/// Whether bodies spin at the seats, beyond round-off of those that turn in a
+/// plane.
+bool has_spin(const SeatHold& hold);
+
 /// Index of the instant at which the seats' forces are largest. @pre any.
 std::size_t hardest_instant(const std::vector<InstantLoad>& instants);
 
