@@ -66,6 +66,8 @@ class SetCheck {
                                  : admitted_deflection(job.part, result)) {}
 
   void run(SecondOrderResult& found) {
+    const bool may_be_fast = this->may_be_fast();
+    if (linear_.pressed() == 0.0 && !may_be_fast) return;
     loads::LoadHistory history = set_.history;
     history.instants = looked_.instants;
     history.repeats.clear();
@@ -81,7 +83,6 @@ class SetCheck {
         .plane = space_.plane ? &*space_.plane : nullptr};
     model_.factor(set_, problem);
     const elasticity::HeldPart held(problem);
-    const bool may_be_fast = this->may_be_fast();
     std::vector<double> lowest;
     for (std::size_t hold = 0; hold < held.holds(); ++hold) {
       lowest.push_back(may_be_fast ? held.lowest_frequency(hold) : HUGE_VAL);
