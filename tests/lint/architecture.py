@@ -237,7 +237,7 @@ PUBLIC = {
                 " load_vibration/load_shapes strike/strike strike/strike_steps"
                 " systems/attached_system systems/block_krylov systems/eigenmodes systems/held_system systems/linear_system systems/sprung_system systems/weighed_system",
     "beam": "estimates/beam_estimate estimates/ejector estimates/struck_part",
-    "elasticity": "algebra/blas_space algebra/dense_product algebra/principal_columns engine_library/rank_team assembly/foundation assembly/stiffness assembly/supports"
+    "elasticity": "algebra/blas_space algebra/dense_product algebra/even_runs algebra/principal_columns engine_library/rank_team assembly/foundation assembly/stiffness assembly/supports"
                   " buckling/buckling buckling/buckling_problem buckling/second_order_solver holds/pin_hold"
                   " buckling/stressed_part dealii/dealii_service direct/dissection fe_space/discretization fe_space/group_trace"
                   " fe_space/tabulation nodal_loads/load_vectors plate/layered_solve"

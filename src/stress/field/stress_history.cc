@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elasticity/algebra/dense_product.h"
+#include "elasticity/algebra/even_runs.h"
 #include "stress/field/cell_field.h"
 
 namespace clevis::stress {
@@ -101,6 +102,9 @@ class Instants {
     return worst;
   }
 
+  /// Takes in what another one took.
+  void join(const Instants& other) { peak_ = peak_.cwiseMax(other.peak_); }
+
   /// Of each instant, of all cells taken.
   const Eigen::VectorXd& peak() const { return peak_; }
 
@@ -125,6 +129,7 @@ class EveryInstant {
     const auto worst = instants_.take(deviator, points);
     return {worst.value.matrix(), worst.instant.cast<int>().matrix()};
   }
+  void join(const EveryInstant& other) { instants_.join(other.instants_); }
   Eigen::VectorXd peak() const { return instants_.peak().cwiseSqrt(); }
   double rounding() const { return 0.0; }
 
@@ -176,6 +181,11 @@ class ManyInstants {
     }
     return worst;
   }
+  void join(const ManyInstants& other) {
+    instants_.join(other.instants_);
+    exact_ = exact_.cwiseMax(other.exact_);
+    off_ = std::max(off_, other.off_);
+  }
   /// The largest is that of the points, to the last bit.
   Eigen::VectorXd peak() const {
     return instants_.peak()
@@ -208,8 +218,6 @@ StressHistory history_of(const elasticity::DisplacementBasis<dim>& basis,
   result.subdivisions = subdivisions;
   result.worst.resize(n, discretization.cells());
   result.worst_instant.resize(n, discretization.cells());
-  double largest = -1.0;
-  double largest_of_half = 0.0;
   const auto on_half_lattice = [&](Index q) {
     for (int d = 0; d < dim; ++d) {
       const double position = points(d, q) * subdivisions / 2.0;
@@ -217,29 +225,50 @@ StressHistory history_of(const elasticity::DisplacementBasis<dim>& basis,
     }
     return true;
   };
-  Peaks peaks(basis.coefficients);
-  for (int c = 0; c < discretization.cells(); ++c) {
-    const PointPeaks worst = peaks.take(
-        deviator<dim>(
-            cell_field.stress(static_cast<std::size_t>(c), basis.columns),
-            sampling.points.cols()),
-        sampling.points.cols());
-    auto when = result.worst_instant.col(c);
-    for (Index q = 0; q < n; ++q) {
-      const Index at = sampling.source[static_cast<std::size_t>(q)];
-      result.worst(q, c) = worst.value[at];
-      when[q] = worst.instant[at];
-    }
-    for (Index q = 0; q < n; ++q) {
-      if (result.worst(q, c) > largest_of_half && on_half_lattice(q)) {
-        largest_of_half = result.worst(q, c);
+  struct Run {
+    Peaks peaks;
+    double largest = -1.0, largest_of_half = 0.0;  ///< [Pa²]
+    FieldPoint at = {};
+    int instant = 0;
+  };
+  const auto look_at = [&](Index from, Index to) {
+    Run run{Peaks(basis.coefficients)};
+    for (Index c = from; c < to; ++c) {
+      const PointPeaks worst = run.peaks.take(
+          deviator<dim>(
+              cell_field.stress(static_cast<std::size_t>(c), basis.columns),
+              sampling.points.cols()),
+          sampling.points.cols());
+      auto when = result.worst_instant.col(c);
+      for (Index q = 0; q < n; ++q) {
+        const Index at = sampling.source[static_cast<std::size_t>(q)];
+        const double value = worst.value[at];
+        result.worst(q, c) = value;
+        when[q] = worst.instant[at];
+        if (value > run.largest_of_half && on_half_lattice(q)) {
+          run.largest_of_half = value;
+        }
+        if (value > run.largest) {
+          run.largest = value;
+          run.at = {static_cast<int>(c), static_cast<int>(q)};
+          run.instant = when[q];
+        }
       }
-      if (result.worst(q, c) > largest) {
-        largest = result.worst(q, c);
-        result.peak_at = {c, static_cast<int>(q)};
-        result.peak_instant = when[q];
-      }
     }
+    return run;
+  };
+  constexpr Index kFewest = 64;
+  auto runs =
+      elasticity::in_even_runs(discretization.cells(), kFewest, look_at);
+  Peaks& peaks = runs.front().peaks;
+  double largest = -1.0, largest_of_half = 0.0;
+  for (const Run& run : runs) {
+    peaks.join(run.peaks);
+    largest_of_half = std::max(largest_of_half, run.largest_of_half);
+    if (!(run.largest > largest)) continue;
+    largest = run.largest;
+    result.peak_at = run.at;
+    result.peak_instant = run.instant;
   }
   if (subdivisions > 1) {
     result.sampling_error =
