@@ -22,6 +22,18 @@ const mechanism::ForceElement& element_of(const MechanismDefinition& definition,
   return definition.elements[static_cast<std::size_t>(impact.element)];
 }
 
+/// Whether a contact or stop presses at some instant.
+bool presses_once(const MechanismDefinition& definition, const Motion& motion,
+                  const std::string& contact) {
+  for (std::size_t e = 0; e < definition.elements.size(); ++e) {
+    if (name_of(definition.elements[e]) != contact) continue;
+    return std::ranges::any_of(motion.instants, [e](const auto& instant) {
+      return instant.elements[e].effort != 0.0;
+    });
+  }
+  return false;
+}
+
 const Impact& hardest_of(const MechanismDefinition& definition,
                          const Motion& motion,
                          const part::ImpactDefinition& wanted) {
@@ -36,8 +48,10 @@ const Impact& hardest_of(const MechanismDefinition& definition,
   throw Error(
       "L006", wanted.place,
       fmt::format("impact \"{}\": \"{}\" {}", wanted.name, wanted.contact,
-                  hardest == nullptr ? "is never struck in the motion"
-                                     : "is struck by what drives hold"),
+                  hardest == nullptr &&
+                          !presses_once(definition, motion, wanted.contact)
+                      ? "is never struck in the motion"
+                      : "is struck by what drives hold"),
       "Look at the impacts that clevis simulate lists, or give mass "
       "and speed.");
 }

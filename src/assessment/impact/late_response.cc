@@ -14,7 +14,6 @@ namespace {
 constexpr int kSamplesPerDuration = 600;
 constexpr int kLonger = 2, kPressed = 16;  // default durations
 constexpr int kExtended = 4;  // beyond, courses of bouncing strikers part
-constexpr double kGrows = 1.01;
 
 struct Peaks {
   double stress{}, deflection{}, root{};
@@ -24,12 +23,12 @@ struct Peaks {
             std::max(deflection, other.deflection), std::max(root, other.root)};
   }
   BlowSpan span(double duration, const Peaks& all) const {
-    if (all.stress <= kGrows * stress &&
-        all.deflection <= kGrows * deflection && all.root <= kGrows * root) {
-      return {.duration = duration};
-    }
-    return {duration, all.stress / stress, all.deflection / deflection,
-            root > 0.0 ? all.root / root : 1.0};
+    const auto over = [](double later, double until) {
+      return later > until ? later / until : 1.0;
+    };
+    return {duration, over(all.stress, stress),
+            over(all.deflection, deflection),
+            root > 0.0 ? over(all.root, root) : 1.0};
   }
 };
 

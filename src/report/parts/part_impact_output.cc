@@ -82,8 +82,9 @@ std::string refinement_of(const ImpactResult& impact) {
 
 /// Empty where nothing larger comes.
 std::string later_peaks_of(const ImpactResult& impact) {
-  if (impact.later_stress <= 1.0 && impact.later_deflection <= 1.0 &&
-      impact.later_root <= 1.0) {
+  constexpr double kSays = 1.005;  // to three digits
+  if (std::max({impact.later_stress, impact.later_deflection,
+                impact.later_root}) < kSays) {
     return "";
   }
   return fmt::format(
