@@ -115,7 +115,7 @@ def collections(checks, folder):
     checks.expect(["collect", folder], 22, "I007", plan, "no such plan")
     plan.write_text('{"schema": 2')
     checks.expect(["collect", folder], 22, "I003", f"{plan}:1:13", "")
-    plan.write_text(json.dumps({"schema": 2, "scene": "x", "file": "x",
+    plan.write_text(json.dumps({"schema": 2, "version": "0", "scene": "x", "file": "x",
                                 "variants": [{"name": "a"}]}))
     checks.expect(["collect", folder], 22, "I003", f"{plan}:/variants/0",
                   "inputs")

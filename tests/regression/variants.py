@@ -208,6 +208,10 @@ def check_missing(study, lines):
     refused = study.shell(lines[0].replace(
         SIZE + "=2.5 mm", "part.AB.material=steel_46"))
     run, rows = study.collected()
+    study.expect(run.returncode == 1 and not rows["thin"]["missing"],
+                 "a refusal of other inputs hides no result", run)
+    results["thin"].unlink()
+    run, rows = study.collected()
     study.expect(refused.returncode == run.returncode == 10
                  and rows["thin"]["missing"].startswith("S007 --set 1"),
                  "a refusal is told with its code", (refused, run))

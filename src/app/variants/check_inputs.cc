@@ -30,6 +30,16 @@ std::vector<std::pair<std::string, std::string>> geometry_fingerprints(
   return found;
 }
 
+std::vector<std::pair<std::string, std::string>> given_mesh_fingerprints(
+    const scene::Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const part::PartDefinition& part : scene.parts) {
+    if (!part.geometry.empty()) continue;
+    found.emplace_back(part.name, file_fingerprint(part.mesh));
+  }
+  return found;
+}
+
 report::CheckInputs check_inputs(const Options& options,
                                  const scene::Scene& scene) {
   report::CheckInputs inputs;

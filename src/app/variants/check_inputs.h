@@ -15,6 +15,11 @@ namespace clevis::app {
 std::vector<std::pair<std::string, std::string>> geometry_fingerprints(
     const scene::Scene& scene);
 
+/// Part and fingerprint of its mesh, of those whose mesh nobody makes of a
+/// geometry.
+std::vector<std::pair<std::string, std::string>> given_mesh_fingerprints(
+    const scene::Scene& scene);
+
 /// Inputs of a check with these options, from the files as they are.
 /// @param scene  of the options.
 /// @throws Error S001, I001 as scene_content().

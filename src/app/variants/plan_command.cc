@@ -57,6 +57,7 @@ report::PlannedVariant planned(const PlanOptions& options,
   result.inputs.engine = "auto";
   result.inputs.parts = options.parts;
   result.inputs.geometries = geometry_fingerprints(scene);
+  result.inputs.meshes = given_mesh_fingerprints(scene);
   return result;
 }
 
@@ -95,7 +96,7 @@ ExitCode plan_command(const PlanOptions& options) {
           ? std::filesystem::path(results_folder(options.scene).string() +
                                   "_variants")
           : options.out;
-  report::Plan plan{scene.name, options.scene, {}};
+  report::Plan plan{CLEVIS_VERSION, scene.name, options.scene, {}};
   std::string commands;
   for (const scene::Variant& variant : variants) {
     plan.variants.push_back(planned(options, variant));

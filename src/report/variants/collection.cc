@@ -52,6 +52,7 @@ const Variant* Collection::lightest() const {
   const Variant* lightest = nullptr;
   for (const Variant& variant : variants) {
     if (!variant.is_known() || variant.verdict != Verdict::kPass) continue;
+    if (variant.parts.empty()) continue;
     if (lightest == nullptr || variant.mass() < lightest->mass()) {
       lightest = &variant;
     }

@@ -36,7 +36,12 @@ std::vector<TextTable::Cell> row_of(const Collection& collection,
   }
   if (variant.parts.empty()) {
     row.insert(row.end(), 6, {"-"});
-    row.push_back({"no result", Tone::kDoubtful});
+    if (variant.is_known()) {  // bearings alone
+      row.push_back(
+          {std::string(text(variant.verdict)), tone_of(variant.verdict)});
+    } else {
+      row.push_back({"no result", Tone::kDoubtful});
+    }
     return row;
   }
   const VariantPart& part = variant.governing();

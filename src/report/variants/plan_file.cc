@@ -30,6 +30,7 @@ CheckInputs inputs_of(const JsonNode& node, const ordered_json& json) {
   CheckInputs inputs;
   inputs.settings = table_of(node, json, "set");
   inputs.geometries = table_of(node, json, "geometries");
+  inputs.meshes = table_of(node, json, "meshes");
   inputs.scene = node.at("scene").text();
   if (node.has("tolerance")) inputs.tolerance = node.at("tolerance").number();
   inputs.model = node.at("model").text();
@@ -45,11 +46,11 @@ CheckInputs inputs_of(const JsonNode& node, const ordered_json& json) {
 std::string plan_json(const Plan& plan) {
   ordered_json variants = ordered_json::array();
   for (const PlannedVariant& variant : plan.variants) {
-    ordered_json inputs = inputs_json(variant.inputs);
-    inputs.erase("meshes");  // not made yet
-    variants.push_back({{"name", variant.name}, {"inputs", inputs}});
+    variants.push_back(
+        {{"name", variant.name}, {"inputs", inputs_json(variant.inputs)}});
   }
   return json_text({{"schema", kSchema},
+                    {"version", plan.version},
                     {"scene", plan.scene},
                     {"file", plan.file.string()},
                     {"variants", variants}});
@@ -68,7 +69,10 @@ Plan read_plan(const std::filesystem::path& folder) {
     throw Error("I003", file.string(), "the plan has another schema",
                 "Plan again with this clevis.");
   }
-  Plan plan{document.at("scene").text(), document.at("file").text(), {}};
+  Plan plan{document.at("version").text(),
+            document.at("scene").text(),
+            document.at("file").text(),
+            {}};
   const auto nodes = document.at("variants").elements();
   for (std::size_t v = 0; v < nodes.size(); ++v) {
     const JsonNode inputs = nodes[v].at("inputs");

@@ -17,7 +17,8 @@ struct PlannedVariant {
 
 /// Plan that `clevis plan` leaves for `clevis collect`.
 struct Plan {
-  std::string scene;  ///< the scene's name
+  std::string version;  ///< of clevis
+  std::string scene;    ///< the scene's name
   std::filesystem::path file;
   std::vector<PlannedVariant> variants;
 };

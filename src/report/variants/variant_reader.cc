@@ -63,18 +63,28 @@ VariantPart read_part(const JsonNode& node) {
   return part;
 }
 
-/// Whether the result is that of the plan; its meshes are its own affair.
+/// Whether the result is that of the plan. Meshes that it makes of a geometry
+/// are its own affair; the plan has the others.
 bool has_inputs(ordered_json found, const CheckInputs& wanted) {
   ordered_json expected = inputs_json(wanted);
+  if (!found["meshes"].is_object()) return false;
+  for (const auto& [part, mesh] : expected["meshes"].items()) {
+    if (found["meshes"].value(part, ordered_json()) != mesh) return false;
+  }
   found.erase("meshes");
   expected.erase("meshes");
   return found == expected;
 }
 
-void read_result(const fs::path& file, const CheckInputs& inputs,
-                 Variant& variant) {
+void read_result(const fs::path& file, const Plan& plan,
+                 const CheckInputs& inputs, Variant& variant) {
   const ordered_json json = read_json(file);
   const JsonNode document(json, file.string() + ":");
+  if (document.at("schema").number() != kSchema ||
+      document.at("version").text() != plan.version) {
+    variant.missing = "R003 the result is of another clevis than the plan";
+    return;
+  }
   if (!document.has("inputs") || !json["inputs"].is_object() ||
       !has_inputs(json["inputs"], inputs)) {
     variant.missing = "R003 the result is of other inputs than planned";
@@ -115,19 +125,24 @@ Variant without_result(const PlannedVariant& planned) {
   return variant;
 }
 
-Variant read_variant(const fs::path& folder, const PlannedVariant& planned) {
+/// A result of what is planned stands, however often other inputs were refused
+/// since.
+Variant read_variant(const fs::path& folder, const Plan& plan,
+                     const PlannedVariant& planned) {
   Variant variant = without_result(planned);
   const fs::path result = folder / planned.name / "result.json";
   const fs::path refusal = folder / planned.name / "error.json";
   std::error_code ignored;
   try {
-    if (fs::is_regular_file(refusal, ignored)) {
-      read_refusal(refusal, variant);
-    } else if (fs::is_regular_file(result, ignored)) {
-      read_result(result, planned.inputs, variant);
-    } else {
-      variant.missing = "R003 there is no result";
+    variant.missing = "R003 there is no result";
+    const bool is_refused = fs::is_regular_file(refusal, ignored);
+    if (fs::is_regular_file(result, ignored)) {
+      variant.missing.clear();
+      read_result(result, plan, planned.inputs, variant);
+      if (variant.is_known() || !is_refused) return variant;
+      variant = without_result(planned);
     }
+    if (is_refused) read_refusal(refusal, variant);
   } catch (const Error& error) {
     variant = without_result(planned);
     variant.missing =
@@ -143,7 +158,7 @@ Collection read_collection(const fs::path& folder) {
   const Plan plan = read_plan(folder);
   Collection collection{plan.scene, {}};
   for (const PlannedVariant& planned : plan.variants) {
-    collection.variants.push_back(read_variant(folder, planned));
+    collection.variants.push_back(read_variant(folder, plan, planned));
   }
   return collection;
 }

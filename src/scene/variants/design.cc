@@ -1,6 +1,7 @@
 #include "scene/variants/design.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
@@ -16,6 +17,17 @@ namespace {
 
 constexpr std::size_t kMostVariants = 100'000;
 
+/// So many that values of the range stay apart.
+int digits_of(const VariedRange& range) {
+  constexpr int kUsual = 6, kOfDoubles = 17;
+  constexpr double kApart = 1e-4;  // of the range
+  const double largest = std::max(std::abs(range.from), std::abs(range.to));
+  const double step = kApart * std::abs(range.to - range.from);
+  if (!(step > 0.0) || !(largest > 0.0)) return kUsual;
+  return std::clamp(1 + static_cast<int>(std::ceil(std::log10(largest / step))),
+                    kUsual, kOfDoubles);
+}
+
 /// The value at a share of the quantity's range, 0 to 1.
 std::string value_at(const VariedQuantity& quantity, double share) {
   if (!quantity.range) {
@@ -25,8 +37,8 @@ std::string value_at(const VariedQuantity& quantity, double share) {
   }
   const VariedRange& range = *quantity.range;
   const double number = range.from + share * (range.to - range.from);
-  return fmt::format("{:.6g}{}{}", number, range.unit.empty() ? "" : " ",
-                     range.unit);
+  return fmt::format("{:.{}g}{}{}", number, digits_of(range),
+                     range.unit.empty() ? "" : " ", range.unit);
 }
 
 std::size_t grid_count(const VariedQuantity& quantity) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -149,7 +150,8 @@ class CollectionFolder : public ::testing::Test {
     inputs.tolerance = 0.05;
     inputs.model = inputs.engine = "auto";
     inputs.parts = {"AB"};
-    plan_ = {"a link", "scene.toml", {{"v1", inputs}}};
+    inputs.meshes = {{"given", "0011223344556677"}};
+    plan_ = {sample_report().version, "a link", "scene.toml", {{"v1", inputs}}};
     write_file(folder_ / kPlanFile, plan_json(plan_));
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -162,6 +164,7 @@ TEST_F(CollectionFolder, PlanIsReadBackAsWritten) {
   ASSERT_EQ(plan.variants.size(), 1u);
   EXPECT_EQ(plan.variants[0].inputs, plan_.variants[0].inputs);
   EXPECT_EQ(plan.scene, "a link");
+  EXPECT_EQ(plan.version, plan_.version);
 }
 
 TEST_F(CollectionFolder, TakesResultsOfItsInputsOnly) {
@@ -169,13 +172,31 @@ TEST_F(CollectionFolder, TakesResultsOfItsInputsOnly) {
   CheckReport report = sample_report();
   report.failures.clear();
   report.inputs = plan_.variants[0].inputs;
-  report.inputs.meshes = {{"AB", "fedcba9876543210"}};
+  report.inputs.meshes.emplace_back("AB", "fedcba9876543210");  // as it is made
   write_file(folder_ / "v1/result.json", result_json(report));
   const Variant known = read();
   EXPECT_EQ(known.missing, "");
   EXPECT_EQ(known.parts.size(), report.parts.size());
   EXPECT_EQ(known.parts[0].name, report.parts[0].name);
   EXPECT_NEAR(known.parts[0].peak.value, report.parts[0].peak.value, 1e-3);
+
+  // What was refused since was of other inputs.
+  write_file(folder_ / "v1/error.json",
+             R"({"error": {"code": "S004", "place": "scene.toml:1:1", )"
+             R"("problem": "no number", "exit_code": 10}})");
+  EXPECT_EQ(read().missing, "");
+  fs::remove(folder_ / "v1/result.json");
+  EXPECT_EQ(read().missing, "S004 scene.toml:1:1: no number");
+  fs::remove(folder_ / "v1/error.json");
+
+  for (auto* planned : {&report.version, &report.inputs.meshes[0].second}) {
+    const std::string as_planned = std::exchange(*planned, "another");
+    write_file(folder_ / "v1/result.json", result_json(report));
+    EXPECT_NE(read().missing.find(planned == &report.version ? "another clevis"
+                                                             : "other inputs"),
+              std::string::npos);
+    *planned = as_planned;
+  }
 
   report.inputs.settings[0].second = "9 mm";
   write_file(folder_ / "v1/result.json", result_json(report));

@@ -57,6 +57,17 @@ TEST(Design, GridVariesItsLastQuantityFastest) {
   EXPECT_EQ(found[0].settings[1].place, "x.toml:8:1");
 }
 
+TEST(Design, ValuesOfANarrowRangeStayApart) {
+  std::string text = kGrid;
+  text.replace(text.find("5 mm"), 4, "10.00001 mm");
+  text.replace(text.find("7 mm"), 4, "10.00005 mm");
+  const auto found = variants(text);
+  ASSERT_EQ(found.size(), 6u);
+  EXPECT_EQ(found[0].settings[0].value, "10.00001 mm");
+  EXPECT_EQ(found[2].settings[0].value, "10.00003 mm");
+  EXPECT_EQ(found[4].settings[0].value, "10.00005 mm");
+}
+
 std::string hypercube(int samples, int seed) {
   return "[vary]\ndesign = \"latin_hypercube\"\nsamples = " +
          std::to_string(samples) + "\nseed = " + std::to_string(seed) +
