@@ -6,10 +6,17 @@
 
 #include "app/plugin/solver_library.h"
 #include "app/solving/plugin_entries.h"
+#include "base/messages/errors.h"
+#include "base/system/mpi_run.h"
 
 namespace clevis::app {
 
 ExitCode study_command(const Options& options) {
+  if (mpi_ranks() > 1) {
+    throw Error("U001", "study", "several ranks cannot study",
+                "Run clevis study without mpirun: it takes the time of one "
+                "process.");
+  }
   return run_in_plugin(kStudyEntryName, options);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -221,6 +222,42 @@ void add_friction(const ElementCourse& course,
   }
 }
 
+/// A guide of length L carries a moment M across its axis by forces M/L at its
+/// ends: where these are more than half of the force F, they press with 2 M/L.
+void add_overhang(const ElementCourse& course,
+                  std::vector<std::string>& notes) {
+  constexpr double kOfSize = 0.05, kOfLargest = 0.05;
+  if (!course.properties.follows_reaction || course.is_angle) return;
+  const auto joint =
+      static_cast<std::size_t>(mechanism::line_of(course.element)->joint);
+  const auto of = [&](const Instant& instant) {
+    const auto components = instant.joints[joint].components();
+    return std::pair(components.head<2>().norm(),
+                     components.segment<2>(3).norm());
+  };
+  double largest = 0.0;  // of the moments [N m]
+  for (const Instant& instant : course.motion.instants) {
+    largest = std::max(largest, of(instant).second);
+  }
+  double longest = kOfSize * course.size, force = 0.0, moment = 0.0;
+  for (const Instant& instant : course.motion.instants) {
+    const auto [f, m] = of(instant);
+    if (m < kOfLargest * largest || 2.0 * m <= longest * f) continue;
+    longest = f > 0.0 ? 2.0 * m / f : HUGE_VAL;
+    force = f;
+    moment = m;
+  }
+  if (moment == 0.0) return;
+  notes.push_back(fmt::format(
+      "{} follows the force across joint {}, {:.4g} N, not the moment across "
+      "it, {:.4g} N m, with which {} presses at its ends: give the coefficient "
+      "that its length L makes of it, larger by 2 M/(L F)",
+      course.name(), course.definition.joints[joint].name, force, moment,
+      std::isinf(longest) ? "any guide"
+                          : fmt::format("a guide shorter than {:.4g} mm",
+                                        longest / ElementCourse::kMilli)));
+}
+
 void add_gas(const ElementCourse& course, std::vector<std::string>& notes) {
   constexpr double kColdest = 60.0, kHottest = 3000.0;   // [K]
   constexpr double kThinnest = 1.0, kDensest = 200.0e6;  // [Pa]
@@ -255,8 +292,8 @@ void add_element_notes(const MechanismDefinition& definition,
                                .properties = properties(element),
                                .is_angle = is_angle(element, definition.joints),
                                .size = size};
-    for (const auto add :
-         {add_idle, add_deep, add_stretched, add_far, add_friction, add_gas}) {
+    for (const auto add : {add_idle, add_deep, add_stretched, add_far,
+                           add_friction, add_overhang, add_gas}) {
       add(course, notes);
     }
   }

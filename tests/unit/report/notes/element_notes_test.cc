@@ -26,6 +26,7 @@ struct Slide {
     motion.instants[1].t = 2.0;
     for (Instant& instant : motion.instants) {
       instant.bodies.resize(1);
+      instant.joints.resize(1);
       instant.elements.resize(1);
     }
   }
@@ -172,6 +173,25 @@ TEST(ElementNotes, FrictionThatNoSurfaceHasIsTold) {
       << slide.note();
   slide.definition.elements = {
       line(FrictionLaw{.breakaway = 0.029, .follows_reaction = true})};
+  EXPECT_EQ(slide.note(), "");
+}
+
+// 0.4 N m beside 20 N: a guide of 40 mm carries both with nothing to spare.
+TEST(ElementNotes, MomentThatFrictionDoesNotFollowIsTold) {
+  Slide slide(line(FrictionLaw{.breakaway = 0.1, .follows_reaction = true}));
+  JointReaction& reaction = slide.motion.instants[1].joints[0];
+  reaction.f_W = {12.0, 16.0, 700.0};  // the last along the slide
+  EXPECT_EQ(slide.note(), "");
+  reaction.t_W = {0.4, 0.0, 9.0};
+  EXPECT_NE(slide.note().find("20 N, not the moment across it, 0.4 N m, with "
+                              "which a guide shorter than 40 mm presses"),
+            std::string::npos)
+      << slide.note();
+  reaction.t_W *= 0.1;  // 4 mm of 100
+  EXPECT_EQ(slide.note(), "");
+  reaction.f_W.setZero();
+  EXPECT_NE(slide.note().find("any guide"), std::string::npos);
+  slide.definition.elements = {line(FrictionLaw{.breakaway = 0.1})};
   EXPECT_EQ(slide.note(), "");
 }
 
