@@ -114,7 +114,8 @@ def collections(checks, folder):
     plan = folder / "plan.json"
     checks.expect(["collect", folder], 22, "I007", plan, "no such plan")
     plan.write_text('{"schema": 2')
-    checks.expect(["collect", folder], 22, "I003", f"{plan}:1:13", "")
+    checks.expect(["collect", folder], 22, "I003", f"{plan}:1:13",
+                  "`clevis plan` writes it anew")
     plan.write_text(json.dumps({"schema": 2, "version": "0", "scene": "x", "file": "x",
                                 "variants": [{"name": "a"}]}))
     checks.expect(["collect", folder], 22, "I003", f"{plan}:/variants/0",

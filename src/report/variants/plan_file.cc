@@ -15,6 +15,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr const char* kPlanAgain =
+    "Plan again with this clevis: `clevis plan` writes it anew.";
+
 std::vector<std::pair<std::string, std::string>> table_of(
     const JsonNode& node, const ordered_json& json, const char* name) {
   node.at(name).texts();  // refuses what is no table of texts
@@ -41,6 +44,27 @@ CheckInputs inputs_of(const JsonNode& node, const ordered_json& json) {
   return inputs;
 }
 
+/// @throws Error I003 as of any document that clevis wrote.
+Plan plan_of(const std::filesystem::path& file) {
+  const ordered_json json = read_json(file);
+  const JsonNode document(json, file.string() + ":");
+  if (document.at("schema").number() != kSchema) {
+    throw Error("I003", file.string(), "the plan has another schema",
+                kPlanAgain);
+  }
+  Plan plan{document.at("version").text(),
+            document.at("scene").text(),
+            document.at("file").text(),
+            {}};
+  const auto nodes = document.at("variants").elements();
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    const JsonNode inputs = nodes[v].at("inputs");
+    plan.variants.push_back({nodes[v].at("name").text(),
+                             inputs_of(inputs, json["variants"][v]["inputs"])});
+  }
+  return plan;
+}
+
 }  // namespace
 
 std::string plan_json(const Plan& plan) {
@@ -63,23 +87,12 @@ Plan read_plan(const std::filesystem::path& folder) {
     throw Error("I007", file.string(), "there is no such plan",
                 "Give the folder that `clevis plan` wrote to.");
   }
-  const ordered_json json = read_json(file);
-  const JsonNode document(json, file.string() + ":");
-  if (document.at("schema").number() != kSchema) {
-    throw Error("I003", file.string(), "the plan has another schema",
-                "Plan again with this clevis.");
+  try {
+    return plan_of(file);
+  } catch (const Error& error) {
+    if (error.code() != "I003") throw;
+    throw Error("I003", error.place(), error.problem(), kPlanAgain);
   }
-  Plan plan{document.at("version").text(),
-            document.at("scene").text(),
-            document.at("file").text(),
-            {}};
-  const auto nodes = document.at("variants").elements();
-  for (std::size_t v = 0; v < nodes.size(); ++v) {
-    const JsonNode inputs = nodes[v].at("inputs");
-    plan.variants.push_back({nodes[v].at("name").text(),
-                             inputs_of(inputs, json["variants"][v]["inputs"])});
-  }
-  return plan;
 }
 
 }  // namespace clevis::report
