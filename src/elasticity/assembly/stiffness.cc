@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/messages/errors.h"
-#include "base/system/processor_share.h"
-#include "elasticity/algebra/even_runs.h"
 #include "elasticity/algebra/symmetric_product.h"
 #include "elasticity/assembly/gradient_products.h"
 #include "elasticity/assembly/node_pairs.h"
@@ -39,24 +37,9 @@ typename StiffnessMatrix<dim>::Block element_block(
   return block;
 }
 
-/// Every so many-th row is a slice's: those of neighbouring cells are shared
-/// out evenly.
-constexpr std::ptrdiff_t kSlices = 32;
-
-/// Rows of some slices.
-struct Slices {
-  std::ptrdiff_t from = 0, to = kSlices;
-
-  bool have(int row) const {
-    const std::ptrdiff_t slice = row % kSlices;
-    return slice >= from && slice < to;
-  }
-};
-
 template <int dim>
 void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
-             const LameConstants<dim>& lame, const Slices& slices,
-             StiffnessMatrix<dim>& matrix) {
+             const LameConstants<dim>& lame, StiffnessMatrix<dim>& matrix) {
   std::vector<Eigen::Index> sorted(ids.size());
   std::iota(sorted.begin(), sorted.end(), 0);
   std::ranges::sort(sorted, {}, [&](Eigen::Index i) {
@@ -64,7 +47,6 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
   });
   for (std::size_t r = 0; r < sorted.size(); ++r) {
     const int row = ids[static_cast<std::size_t>(sorted[r])];
-    if (!slices.have(row)) continue;
     auto at = static_cast<std::size_t>(
         matrix.row_start[static_cast<std::size_t>(row)]);
     for (std::size_t s = r; s < sorted.size(); ++s) {
@@ -73,75 +55,6 @@ void scatter(const std::vector<int>& ids, const GradientProducts<dim>& products,
       matrix.block[at] +=
           element_block<dim>(products, lame, sorted[r], sorted[s]);
     }
-  }
-}
-
-/// Integrates cells of a discretisation one by one.
-template <int dim>
-class ElementIntegrals {
- public:
-  ElementIntegrals(const Discretization<dim>& discretization,
-                   const std::string& place)
-      : discretization_(discretization),
-        place_(place),
-        rule_(stiffness_quadrature(discretization)),
-        geometry_(discretization.shape, discretization.mapping_degree(),
-                  rule_.points),
-        integrator_(discretization, rule_) {}
-
-  /// @return until the next call. @throws Error M005.
-  const GradientProducts<dim>& of(std::size_t c) {
-    const auto cell =
-        cell_geometry<dim>(discretization_.cell_points[c], geometry_);
-    require_positive(cell.determinant, c, discretization_.geometry_degree,
-                     place_);
-    return integrator_.integrate(cell,
-                                 rule_.weights.cwiseProduct(cell.determinant) *
-                                     discretization_.thickness);
-  }
-
- private:
-  const Discretization<dim>& discretization_;
-  const std::string& place_;
-  Quadrature<dim> rule_;
-  CellInterpolation<dim> geometry_;
-  GradientIntegrator<dim> integrator_;
-};
-
-/// By all processors: a block of cells is integrated, then added by slices of
-/// the rows. Each entry's sum has the order of the cells, whoever adds it.
-template <int dim>
-void add_in_blocks(const Discretization<dim>& discretization,
-                   const LameConstants<dim>& lame, const std::string& place,
-                   StiffnessMatrix<dim>& matrix) {
-  constexpr std::size_t kBlock = 32 << 20;  // of integrals [byte]
-  constexpr std::ptrdiff_t kFewest = 16;    // cells of a thread
-  const auto& cells = discretization.cell_nodes;
-  const std::size_t nodes = cells.front().size();
-  const std::size_t bytes =
-      dim * (dim + 1) / 2 * nodes * nodes * sizeof(double);
-  const auto size =
-      static_cast<std::ptrdiff_t>(std::max<std::size_t>(kBlock / bytes, 64));
-  std::vector<GradientProducts<dim>> integrals(
-      static_cast<std::size_t>(std::min(size, std::ssize(cells))));
-  for (std::ptrdiff_t begin = 0; begin < std::ssize(cells); begin += size) {
-    const std::ptrdiff_t count = std::min(size, std::ssize(cells) - begin);
-    in_even_runs(count, kFewest, [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-      ElementIntegrals<dim> elements(discretization, place);
-      for (std::ptrdiff_t c = from; c < to; ++c) {
-        integrals[static_cast<std::size_t>(c)] =
-            elements.of(static_cast<std::size_t>(begin + c));
-      }
-      return true;
-    });
-    in_even_runs(kSlices, 1, [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-      for (std::ptrdiff_t c = 0; c < count; ++c) {
-        scatter<dim>(cells[static_cast<std::size_t>(begin + c)],
-                     integrals[static_cast<std::size_t>(c)], lame,
-                     Slices{from, to}, matrix);
-      }
-      return true;
-    });
   }
 }
 
@@ -214,15 +127,19 @@ StiffnessMatrix<dim> assemble_stiffness(
   matrix.block.assign(matrix.column.size(),
                       StiffnessMatrix<dim>::Block::Zero());
   const auto lame = lame_constants<dim>(material);
-  constexpr std::size_t kMany = 64;
-  if (own_processors() > 1 && discretization.cell_nodes.size() >= kMany) {
-    add_in_blocks(discretization, lame, place, matrix);
-    return matrix;
-  }
-  ElementIntegrals<dim> elements(discretization, place);
+  const auto rule = stiffness_quadrature(discretization);
+  const CellInterpolation<dim> geometry(
+      discretization.shape, discretization.mapping_degree(), rule.points);
+  GradientIntegrator<dim> integrator(discretization, rule);
   for (std::size_t c = 0; c < discretization.cell_nodes.size(); ++c) {
-    scatter<dim>(discretization.cell_nodes[c], elements.of(c), lame, Slices{},
-                 matrix);
+    const auto cell =
+        cell_geometry<dim>(discretization.cell_points[c], geometry);
+    require_positive(cell.determinant, c, discretization.geometry_degree,
+                     place);
+    const Eigen::VectorXd weights =
+        rule.weights.cwiseProduct(cell.determinant) * discretization.thickness;
+    scatter<dim>(discretization.cell_nodes[c],
+                 integrator.integrate(cell, weights), lame, matrix);
   }
   return matrix;
 }

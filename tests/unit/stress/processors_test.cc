@@ -6,10 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/messages/errors.h"
 #include "base/system/processor_share.h"
 #include "elasticity/algebra/even_runs.h"
-#include "elasticity/assembly/stiffness.h"
 #include "stress/field/stress_history.h"
 #include "support/simplex_mesh.h"
 #include "support/structured_mesh.h"
@@ -96,15 +94,9 @@ void expect_same_by_three(mesh::CellShape shape, int degree,
       basis.coefficients(k, i) = std::cos(0.3 * double(i * (k + 1)));
     }
   }
-  const auto work_out = [&] {
-    return std::pair(
-        elasticity::assemble_stiffness<3>(basis.discretization, steel, "block"),
-        stress_history<3>(basis, steel, 4));
-  };
-  const auto [stiffness, history] = work_out();
+  const StressHistory history = stress_history<3>(basis, steel, 4);
   const Processors three(3);
-  const auto [stiffness_by_three, history_by_three] = work_out();
-  EXPECT_EQ(stiffness.block, stiffness_by_three.block);
+  const StressHistory history_by_three = stress_history<3>(basis, steel, 4);
   EXPECT_EQ(history.worst, history_by_three.worst);
   EXPECT_EQ(history.worst_instant, history_by_three.worst_instant);
   EXPECT_EQ(history.peak, history_by_three.peak);
@@ -125,21 +117,6 @@ TEST(Processors, LeaveTetrahedraAsTheyAre) {
 // So many that floats look for the largest.
 TEST(Processors, LeaveManyInstantsAsTheyAre) {
   expect_same_by_three(mesh::CellShape::kSimplex, 3, 300);
-}
-
-// The last one, of a run that is not the caller's.
-TEST(Processors, TellTheCellThatFolds) {
-  auto folded = elasticity::discretize<3>(block(mesh::CellShape::kTensor), 2);
-  folded.cell_points.back().row(0) *= -1.0;
-  const part::Material steel{"steel", 210e9, 0.3, 7850.0, 355e6};
-  const Processors three(3);
-  try {
-    elasticity::assemble_stiffness<3>(folded, steel, "block");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "M005");
-    EXPECT_EQ(error.problem().substr(0, 14), "cell 139 folds");
-  }
 }
 
 }  // namespace
