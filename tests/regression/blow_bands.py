@@ -32,21 +32,20 @@ WAVE = LENGTH * 1e-3 / math.sqrt(MODULUS / DENSITY)
 MASS = DENSITY * AREA * LENGTH * 1e-3
 
 
-def peak(ratio, contact):
-    """At the held end [MPa]: the wave g that leaves the struck end under the
-    force P fulfils P/Z = g(t) + g(t - 2); time in transits, Heun's rule."""
-    if contact == "ideal":
-        return IDEAL[ratio] * UNIT
-    rise = UNIT * 1e6 * AREA / contact / WAVE
+def highest_wave(ratio, rise, speed, push, transits):
+    """The wave g that leaves the struck end under the force P fulfils
+    P/Z = g(t) + g(t - 2): largest 2 g, which is the held end's; time in transits,
+    Heun's rule. rise, speed, push: of the contact's force, the striker at first,
+    the force that presses it, in units of Z."""
     h = 2.0 / max(400, math.ceil(2.0 / (0.05 * rise)))
     delay = round(2.0 / h)
-    waves, speed, approach, highest = [0.0], 1.0, 0.0, 0.0
+    waves, approach, highest = [0.0], 0.0, 0.0
 
     def rates(speed, approach, back):
         force = max(0.0, approach / rise)
-        return -force / ratio, speed - force + 2.0 * back
+        return (push - force) / ratio, speed - force + 2.0 * back
 
-    for i in range(1, round(8.0 / h)):
+    for i in range(1, round(transits / h)):
         before = waves[i - 1 - delay] if i > delay else 0.0
         back = waves[i - delay] if i >= delay else 0.0
         a, b = rates(speed, approach, before)
@@ -55,7 +54,15 @@ def peak(ratio, contact):
         approach += 0.5 * h * (b + d)
         waves.append(max(0.0, approach / rise) - back)
         highest = max(highest, 2.0 * waves[i])
-    return highest * UNIT
+    return highest
+
+
+def peak(ratio, contact):
+    """At the held end of a rod that is struck with 1 m/s [MPa]."""
+    if contact == "ideal":
+        return IDEAL[ratio] * UNIT
+    rise = UNIT * 1e6 * AREA / contact / WAVE
+    return highest_wave(ratio, rise, 1.0, 0.0, 8.0) * UNIT
 
 
 # Of F over the rod's area, on a contact as stiff as the rod: within 16 transits
@@ -64,24 +71,9 @@ PRESSED_RATIO, PRESSED_FORCE, SHORT, LONG = 2, 5000.0, 16.0, 256.0
 
 
 def pressed_peak(transits):
-    """As peak(), of a striker at rest that a force begins to press [MPa]."""
-    steps = 200  # a transit
-    waves, speed, force, highest = [0.0], 0.0, 0.0, 0.0
-
-    def rates(speed, force, back):
-        return (1.0 - max(0.0, force)) / PRESSED_RATIO, speed - max(0.0, force) + 2.0 * back
-
-    h = 1.0 / steps
-    for i in range(1, round(transits * steps)):
-        before = waves[i - 1 - 2 * steps] if i > 2 * steps else 0.0
-        back = waves[i - 2 * steps] if i >= 2 * steps else 0.0
-        a, b = rates(speed, force, before)
-        c, d = rates(speed + h * a, force + h * b, back)
-        speed += 0.5 * h * (a + c)
-        force += 0.5 * h * (b + d)
-        waves.append(max(0.0, force) - back)
-        highest = max(highest, 2.0 * waves[i])
-    return highest * PRESSED_FORCE / AREA / 1e6
+    """The same of a striker at rest that a force begins to press [MPa]."""
+    return (highest_wave(PRESSED_RATIO, 1.0, 0.0, 1.0, transits)
+            * PRESSED_FORCE / AREA / 1e6)
 
 
 def pressed_band(clevis):

@@ -22,40 +22,6 @@ const mechanism::ForceElement& element_of(const MechanismDefinition& definition,
   return definition.elements[static_cast<std::size_t>(impact.element)];
 }
 
-/// Whether a contact or stop presses at some instant.
-bool presses_once(const MechanismDefinition& definition, const Motion& motion,
-                  const std::string& contact) {
-  for (std::size_t e = 0; e < definition.elements.size(); ++e) {
-    if (name_of(definition.elements[e]) != contact) continue;
-    return std::ranges::any_of(motion.instants, [e](const auto& instant) {
-      return instant.elements[e].effort != 0.0;
-    });
-  }
-  return false;
-}
-
-const Impact& hardest_of(const MechanismDefinition& definition,
-                         const Motion& motion,
-                         const part::ImpactDefinition& wanted) {
-  const Impact* hardest = nullptr;
-  for (const Impact& impact : motion.impacts) {
-    if (name_of(element_of(definition, impact)) != wanted.contact) continue;
-    if (hardest == nullptr || impact.peak_force > hardest->peak_force) {
-      hardest = &impact;
-    }
-  }
-  if (hardest != nullptr && std::isfinite(hardest->mass)) return *hardest;
-  throw Error(
-      "L006", wanted.place,
-      fmt::format("impact \"{}\": \"{}\" {}", wanted.name, wanted.contact,
-                  hardest == nullptr &&
-                          !presses_once(definition, motion, wanted.contact)
-                      ? "is never struck in the motion"
-                      : "is struck by what drives hold"),
-      "Look at the impacts that clevis simulate lists, or give mass "
-      "and speed.");
-}
-
 /// Blows of contacts and stops in a driven motion, by its instants: these stand
 /// on both sides of each touch and where forces are largest.
 std::vector<Impact> presses(const MechanismDefinition& definition,
@@ -84,6 +50,31 @@ std::vector<Impact> presses(const MechanismDefinition& definition,
     }
   }
   return found;
+}
+
+const Impact& hardest_of(const MechanismDefinition& definition,
+                         const Motion& motion,
+                         const part::ImpactDefinition& wanted) {
+  const Impact* hardest = nullptr;
+  for (const Impact& impact : motion.impacts) {
+    if (name_of(element_of(definition, impact)) != wanted.contact) continue;
+    if (hardest == nullptr || impact.peak_force > hardest->peak_force) {
+      hardest = &impact;
+    }
+  }
+  if (hardest != nullptr && std::isfinite(hardest->mass)) return *hardest;
+  const bool is_pressed = std::ranges::any_of(
+      presses(definition, motion), [&](const Impact& press) {
+        return name_of(element_of(definition, press)) == wanted.contact;
+      });
+  throw Error(
+      "L006", wanted.place,
+      fmt::format("impact \"{}\": \"{}\" {}", wanted.name, wanted.contact,
+                  hardest == nullptr && !is_pressed
+                      ? "is never struck in the motion"
+                      : "is struck by what drives hold"),
+      "Look at the impacts that clevis simulate lists, or give mass "
+      "and speed.");
 }
 
 void require_group(const std::string& name,

@@ -1,5 +1,6 @@
 // What several processors work out together is, bit by bit, what one does.
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,7 +16,6 @@
 namespace clevis::stress {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 /// Has this process keep so many processors busy until it ends.

@@ -215,6 +215,22 @@ TEST(SeatShapes, BarInAGuideThatTravels) {
   }
 }
 
+/// Loads of a square rod along x from the origin, with a seat at either end.
+/// @param hold  outlives them.
+loads::LoadHistory ends_of_rod(double length, double side,
+                               const loads::SeatHold& hold) {
+  loads::LoadHistory history;
+  history.seats = {
+      {.name = "foot", .group = "x0", .kind = loads::SeatKind::kTraction},
+      {.name = "end", .group = "x1", .kind = loads::SeatKind::kTraction}};
+  history.seats[0].p_LS = {0.0, 0.5 * side, 0.5 * side};
+  history.seats[1].p_LS = {length, 0.5 * side, 0.5 * side};
+  history.hold = [&hold](double) {
+    return hold;
+  };
+  return history;
+}
+
 /// A rod that is held at one end carries a rotor on the other.
 TEST(SeatShapes, RotorOnTheEndOfARod) {
   const double length = 0.5, side = 0.01, mass = 1.0, turn = 0.05;
@@ -224,15 +240,7 @@ TEST(SeatShapes, RotorOnTheEndOfARod) {
   hold.weighed = Eigen::MatrixXd::Zero(12, 6);
   hold.weighed.block<3, 3>(6, 0).diagonal().setConstant(std::sqrt(mass));
   hold.weighed.block<2, 2>(10, 4).diagonal().setConstant(std::sqrt(turn));
-  loads::LoadHistory history;
-  history.seats = {
-      {.name = "foot", .group = "x0", .kind = loads::SeatKind::kTraction},
-      {.name = "end", .group = "x1", .kind = loads::SeatKind::kTraction}};
-  history.seats[0].p_LS = {0.0, 0.5 * side, 0.5 * side};
-  history.seats[1].p_LS = {length, 0.5 * side, 0.5 * side};
-  history.hold = [&](double) {
-    return hold;
-  };
+  const auto history = ends_of_rod(length, side, hold);
   elasticity::FirstPeriods<3> periods({mesh, kSteel, history, {}, "rod"}, 3);
   const double still = frequency_of_rod(length, side, mass, turn, 0, 10, 80);
   const double h = 2.0 * turn * still;
@@ -269,15 +277,7 @@ TEST(SeatShapes, ARodOnASpringHasAShareOfItsSwing) {
   loads::SeatHold sprung = clamped;
   sprung.held = clamped.held.rightCols(5).eval();
   sprung.sprung = std::sqrt(spring) * clamped.held.leftCols(1);
-  loads::LoadHistory history;
-  history.seats = {
-      {.name = "foot", .group = "x0", .kind = loads::SeatKind::kTraction},
-      {.name = "end", .group = "x1", .kind = loads::SeatKind::kTraction}};
-  history.seats[0].p_LS = {0.0, 0.5 * side, 0.5 * side};
-  history.seats[1].p_LS = {length, 0.5 * side, 0.5 * side};
-  history.hold = [&](double) {
-    return clamped;
-  };
+  const auto history = ends_of_rod(length, side, clamped);
   elasticity::FirstPeriods<3> periods({mesh, kSteel, history, {}, "rod"}, 2);
   const auto shapes = periods.seat_shapes(
       elasticity::span_of({clamped, sprung}, {}), history.seats, {});
