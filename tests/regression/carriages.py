@@ -93,9 +93,9 @@ def strip_falls_over(at, height):
             * (1 - height / at * math.sqrt(across / twist)))
 
 
-def in_a_pivoting_guide(folder, at, far):
+def in_a_pivoting_guide(folder, at, far, bodies=("guide", "bar")):
     """A bar of 500 mm on a ball at its left end; a guide of 10 mm on a pin so many mm
-    behind it pushes it off with 20 kN."""
+    behind it pushes it off with 20 kN. bodies: of the guide's joint."""
     round_bar(folder, [(500, 34, "round_m")])
     end = at + far
     pivot = scene_text.joint("P", "universal", "guide", "ground", (end, 0, 0),
@@ -103,13 +103,13 @@ def in_a_pivoting_guide(folder, at, far):
     return scene(folder, scene_text.part_body("bar")
                  + scene_text.body("guide", "1e-2 kg", "1e-6 kg m^2", origin=(end, 0, 0))
                  + scene_text.joint("A", "spherical", "ground", "bar", (0, 0, 0), (1, 0, 0))
-                 + scene_text.joint("S", "prismatic", "guide", "bar", (at, 0, 0), (1, 0, 0))
-                 + pivot + """[[force]]
+                 + scene_text.joint("S", "prismatic", *bodies, (at, 0, 0), (1, 0, 0))
+                 + pivot + f"""[[force]]
 type = "spring"
 name = "push"
 joint = "S"
 stiffness = "0 N/m"
-preload = "20 kN"
+preload = "{20 if bodies[1] == "bar" else -20} kN"
 free = "0 mm"
 """, {"A": '"left"', "S": '{ group = "round_m", length = "10 mm" }'},
                  'forces = { push = { face = "right" } }')
@@ -221,6 +221,13 @@ def main():
         factor = check(in_a_pivoting_guide, at, far).part["buckling"]["factor"]
         checks.near(f"guide on a pin {far} mm behind it: strut buckles at", factor,
                     in_a_guide(at - 5, far + 5) / 20e3, 0.02)
+    # 200 mm stick out behind the guide, and are pushed along its line.
+    tail = math.pi**2 * MODULUS * INERTIA / 4 / 200**2
+    for far in (100, -100):
+        for bodies in (("guide", "bar"), ("bar", "guide")):
+            factor = check(in_a_pivoting_guide, 300, far, bodies).part["buckling"]["factor"]
+            checks.near(f"{bodies[1]} on {bodies[0]}, pin {far} mm behind it: what sticks out "
+                        "buckles at", factor, tail / 20e3, 0.02)
 
     part = check(through_two_balls).part
     checks.near("bar through two balls: bends by", part["deflection_mm"],

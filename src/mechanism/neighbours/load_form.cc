@@ -92,18 +92,46 @@ class LoadForm {
     });
     // The twist is of M, whose way from a place's point is turned, too.
     const auto levers = placed.levers(row);
-    if (kind == LoadPlace::Kind::kDrive && !movers[0] &&
-        acts_on_own_seat(movers[1], kind, of)) {
-      const Vector3d force = lambda * levers.b.v;
-      form_.add_force(*movers[1], -force,
-                      way_along(force, *movers[1], placed.p_b));
-    }
     for (std::size_t side = 0; side < 2; ++side) {
       if (!movers[side] || !movers[side]->is_place) continue;
       const Vector3d& force = side == 0 ? levers.a.v : levers.b.v;
       form_.add_force(*movers[side], lambda * force,
                       rows_.x[index(slots[side])].p - movers[side]->p);
     }
+  }
+
+  /// Whether both bodies of a joint have its line.
+  bool shares_line(int joint) const {
+    const auto rows =
+        constrained_rows(frame_.joints[index(joint)].type, Motions::kSpatial);
+    return std::ranges::count_if(rows, [](const JointRow& row) {
+             return row.kind == JointRow::Kind::kRotation && row.axis < 2;
+           }) == 2;
+  }
+
+  /// A force along the line of a joint, on b, if a body bears it on a seat of
+  /// its own: where that stands, wherever the joint has its points. It turns
+  /// with the other body, which has the line where they touch; the seat may
+  /// lean otherwise.
+  /// @param on_line  a point. @return whether a body does.
+  bool add_push(const std::array<std::optional<Mover>, 2>& movers, int joint,
+                const Vector3d& force, const Vector3d& on_line,
+                LoadPlace::Kind kind, int of) {
+    if (force.isZero(0.0)) return false;
+    for (const std::size_t side : {0u, 1u}) {
+      if (!acts_on_own_seat(movers[side], kind, of)) continue;
+      if (side == 0 && !shares_line(joint)) continue;  // a alone has it
+      const Mover& seat = *movers[side];
+      const std::optional<Mover>& other = movers[1 - side];
+      const Vector3d on_seat = side == 0 ? Vector3d(-force) : force;
+      const Vector3d at = on_line - way_along(force, seat, on_line);
+      form_.add_force(seat, on_seat, at - seat.p);
+      if (!other) return true;
+      form_.add_force(*other, -on_seat, at - other->p);
+      form_.add_turning(*other, seat, at, on_seat);
+      return true;
+    }
+    return false;
   }
 
   bool acts_on_own_seat(const std::optional<Mover>& mover, LoadPlace::Kind kind,
@@ -123,20 +151,16 @@ class LoadForm {
     return (p - mover.p).dot(e) * e;
   }
 
-  /// What of that way does not count [m]: all of it on a line of a joint; of a
-  /// point of its own what would hold the part, as behind the face that the
-  /// force presses on. A point ahead of the face is a fixture's, and pushes it
-  /// over.
+  /// What of that way does not count [m]: of a point of its own what would hold
+  /// the part, as behind the face that the force presses on. A point ahead of
+  /// the face is a fixture's, and pushes it over.
   static Vector3d idle_way(const ElementLine* line, bool turns,
                            const Mover& mover, const Vector3d& force,
                            const Vector3d& p) {
     const Vector3d way = way_along(force, mover, p);
-    const bool is_joints =
-        line != nullptr && line->kind == ElementLine::Kind::kJoint;
     const bool is_fixed_axis =
         line != nullptr ? line->kind == ElementLine::Kind::kSlide : !turns;
-    const bool is_idle = is_joints || (is_fixed_axis && way.dot(force) > 0.0);
-    return is_idle ? way : Vector3d::Zero();
+    return is_fixed_axis && way.dot(force) > 0.0 ? way : Vector3d::Zero();
   }
 
   PlacedJoint placed(std::size_t k) const {
@@ -179,8 +203,16 @@ class LoadForm {
 
   void add_effort(int joint, const JointRow& row, double effort,
                   LoadPlace::Kind kind, int of) {
-    if (!concerns(frame_.joints[index(joint)])) return;
-    add_row(placed(index(joint)), joint, row, effort, kind, of);
+    const JointModel& model = frame_.joints[index(joint)];
+    if (!concerns(model)) return;
+    const PlacedJoint here = placed(index(joint));
+    const std::array movers{mover(model.a, kind, of, joint),
+                            mover(model.b, kind, of, joint)};
+    const bool slides = row.kind == JointRow::Kind::kTranslation;
+    const Vector3d force =
+        slides ? Vector3d(effort * here.action(row).v) : Vector3d::Zero();
+    if (add_push(movers, joint, force, here.p_b, kind, of)) return;
+    add_row(here, joint, row, effort, kind, of);
   }
 
   void add_efforts() {
@@ -251,6 +283,13 @@ class LoadForm {
         forces[side] = in_P(action.f_W);
       }
       if (!movers[0] && !movers[1]) continue;
+      const bool is_joints =
+          line != nullptr && line->kind == ElementLine::Kind::kJoint;
+      if (is_joints &&
+          add_push(movers, line->joint, forces[1], points[1],
+                   LoadPlace::Kind::kElement, static_cast<int>(e))) {
+        continue;
+      }
       const bool turns = turns_with_first(elements[e]);
       if (!movers[0] && acts_on_own_seat(movers[1], LoadPlace::Kind::kElement,
                                          static_cast<int>(e))) {
