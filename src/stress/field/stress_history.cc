@@ -375,7 +375,9 @@ double time_sampling_error(const Eigen::VectorXd& peak) {
   for (Index i = 0; i < n; ++i) {
     largest[i % 2] = std::max(largest[i % 2], peak[i]);
   }
-  return std::max(vertex_excess(peak), std::abs(largest[0] - largest[1]) / 3.0);
+  // Flanks may be steeper than a parabola's: it is doubted as much again.
+  return std::max(2.0 * vertex_excess(peak),
+                  std::abs(largest[0] - largest[1]) / 3.0);
 }
 
 Eigen::VectorXd von_mises(const MatrixXd& stress) {

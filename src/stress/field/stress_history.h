@@ -35,9 +35,9 @@ struct StressHistory {
   double largest() const { return peak[peak_instant]; }
 };
 
-/// How much a peak between the instants may be higher [Pa]: the rise of the
-/// parabola through the largest and its neighbours, at least a third of what
-/// the largest gains from every second instant to all (ends always counted);
+/// How much a peak between the instants may be higher [Pa]: twice the rise of
+/// the parabola through the largest and its neighbours, at least a third of
+/// what the largest gains from every second instant to all (ends counted);
 /// with fewer than twelve instants their whole spread.
 /// @param peak  over the points, per instant of one motion [Pa].
 double time_sampling_error(const Eigen::VectorXd& peak);

@@ -137,6 +137,17 @@ TEST(TimeSampling, CoversWhatACoarseMotionMisses) {
   }
 }
 
+// Flanks of 1/(1 + x²) are steeper than a parabola's: half of its width holds
+// two rows, their middle its top.
+TEST(TimeSampling, CoversATopOfSteeperFlanks) {
+  Eigen::VectorXd peak(16);
+  for (int i = 0; i < peak.size(); ++i) {
+    const double x = 0.5 * (i - 7.5);
+    peak[i] = 1.0 / (1.0 + x * x);
+  }
+  EXPECT_GE(time_sampling_error(peak), 1.0 - peak.maxCoeff());
+}
+
 TEST(TimeSampling, PeakAtAnEndMissesNothing) {
   EXPECT_EQ(time_sampling_error(Eigen::VectorXd::LinSpaced(21, 1.0, 2.0)), 0.0);
   EXPECT_EQ(time_sampling_error(Eigen::VectorXd::Constant(1, 3.0)), 0.0);
