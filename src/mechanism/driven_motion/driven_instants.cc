@@ -112,10 +112,10 @@ DrivenInstants::Acted DrivenInstants::act_at(const ClosedConfiguration& at,
     return model_.equilibrium.solve(at.x, at.placed, at.factor, motion.twists,
                                     motion.accelerations, applied, elements);
   };
-  put_forces(
-      model_.frame, model_.system, at.placed,
-      balance_with_friction(forces_, result.forces, at.x.size(), balance),
-      result.instant);
+  put_forces(model_.frame, model_.system, at.placed,
+             balance_with_friction(model_.definition, forces_, result.forces,
+                                   at.x.size(), balance),
+             result.instant);
   result.instant.elements = forces_.results(result.forces);
   require_unique_loads(model_.definition, forces_, result.forces,
                        result.instant.joints);

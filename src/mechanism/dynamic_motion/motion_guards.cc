@@ -126,7 +126,9 @@ void MotionGuards::refuse_dead_end() {
 }
 
 void MotionGuards::refuse_stuck() {
-  if (model_.equations.is_self_locking()) refuse_self_locking(integrator_.t());
+  if (const auto jammed = model_.equations.self_locking()) {
+    refuse_self_locking(model_.definition, *jammed, integrator_.t());
+  }
   refuse_dead_end();
   if (weakest_rows().beside) {
     throw Error("K008", "mechanism",

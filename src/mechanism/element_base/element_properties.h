@@ -34,6 +34,7 @@ struct ElementProperties {
   bool may_be_pressure = false;
   /// Friction per newton of the joint's force.
   bool follows_reaction = false;
+  double guide_length = 0.0;  ///< whose ends that force presses; 0: unknown [m]
   /// A contact: slides as well, with a friction of its own.
   bool slides = false;
   std::vector<ElementChannel> channels{};

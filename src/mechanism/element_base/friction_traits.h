@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "mechanism/element_base/element_response.h"
+#include "mechanism/force_laws/guide.h"
 
 namespace clevis::mechanism {
 
@@ -14,6 +15,8 @@ class FrictionTraits {
   virtual bool is_dry() const { return false; }
   /// Whether its friction is per newton of its joint's force.
   virtual bool follows_reaction() const { return false; }
+  /// Where that force presses.
+  virtual Guide guide() const { return {}; }
   /// Breakaway effort over the load: [N], [N m], [1] or [m].
   virtual double breakaway_per_load() const { return 0.0; }
   /// Speed below which Stribeck's term of friction counts, of a contact the

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -63,8 +65,10 @@ class EquationsOfMotion {
   /// solve(), and its multipliers; the rest is not filled.
   const MotionSolution& respond(const Eigen::VectorXd& force);
 
-  /// The last solve() failed as friction that follows a reaction jams.
-  bool is_self_locking() const { return following_.is_self_locking(); }
+  /// Friction that follows a reaction and jams, why the last solve() failed.
+  std::optional<std::size_t> self_locking() const {
+    return following_.self_locking();
+  }
   /// Whether nothing but joints, drives and rotors holds the bodies now.
   bool has_joints_alone() const;
   /// Of bodies and rotors [J].

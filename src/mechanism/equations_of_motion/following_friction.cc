@@ -14,10 +14,28 @@ namespace clevis::mechanism {
 namespace {
 
 using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Matrix2d;
 using Eigen::VectorXd;
 
 constexpr double kSettled = 1e-13;  // of the largest effort
+
+// Rows across the axis of a joint.
+bool is_force(const ConstraintSystem::Row& row) {
+  return row.row.kind == JointRow::Kind::kTranslation && row.row.axis < 2;
+}
+bool is_moment(const ConstraintSystem::Row& row) {
+  return row.row.kind == JointRow::Kind::kRotation && row.row.axis < 2;
+}
+
+/// Of the columns' sizes together, by a change of them.
+double growth_of_sizes(const Matrix2d& columns, const Matrix2d& change) {
+  double growth = 0.0;
+  for (Index c = 0; c < 2; ++c) {
+    const double size = columns.col(c).norm();
+    if (size > 0.0) growth += columns.col(c).dot(change.col(c)) / size;
+  }
+  return growth;
+}
 
 }  // namespace
 
@@ -28,11 +46,11 @@ FollowingFriction::FollowingFriction(const ForceModel& forces,
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const int joint = forces.element(k).followed_joint();
     if (joint < 0) continue;
-    Line line{.element = k, .rows = {}};
+    Line line{.element = k, .rows = {}, .guide = forces.element(k).guide()};
     for (int i = 0; i < system.joint_rows(); ++i) {
       const auto& row = system.row_list()[static_cast<std::size_t>(i)];
-      if (row.joint == joint && row.coupling < 0 &&
-          row.row.kind == JointRow::Kind::kTranslation && row.row.axis < 2) {
+      const bool is_across = is_force(row) || is_moment(row);
+      if (row.joint == joint && row.coupling < 0 && is_across) {
         line.rows.push_back(i);
       }
     }
@@ -49,14 +67,16 @@ FollowingFriction::FollowingFriction(const ForceModel& forces,
   for (VectorXd* v : {&efforts_, &rest_, &growth_}) v->setZero(count);
 }
 
-Vector2d FollowingFriction::reaction(std::size_t line,
+Matrix2d FollowingFriction::pressing(std::size_t line,
                                      const VectorXd& lambda) const {
-  Vector2d f = Vector2d::Zero();
-  const auto& rows = lines_[line].rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    f[static_cast<Index>(i)] = lambda[rows[i]];
+  JointLoad load = JointLoad::Zero();
+  const Line& of = lines_[line];
+  for (const int i : of.rows) {
+    const auto& row = system_.row_list()[static_cast<std::size_t>(i)];
+    const int axis = row.row.axis + (is_moment(row) ? 3 : 0);
+    load[axis] = system_.multiplier(row, lambda[i]);
   }
-  return f;
+  return end_forces(of.guide, of.q, load);
 }
 
 /// Accelerations and multipliers of one unit of each effort alone.
@@ -91,8 +111,8 @@ bool FollowingFriction::contracts() {
     const auto line = static_cast<std::size_t>(i);
     for (Index j = 0; j < newton_.cols(); ++j) {
       lambda_ = multipliers_.col(j);
-      newton_(i, j) =
-          std::abs(lines_[line].per_load) * reaction(line, lambda_).norm();
+      newton_(i, j) = std::abs(lines_[line].per_load) *
+                      pressing_force(pressing(line, lambda_));
     }
   }
   efforts_.setOnes();
@@ -108,8 +128,8 @@ bool FollowingFriction::contracts() {
   return growth < 1.0;
 }
 
-/// Newton's method; each effort is its factor times the size of a reaction
-/// that is linear in all efforts.
+/// Newton's method; each effort is its factor times the sizes of forces that
+/// are linear in all efforts.
 bool FollowingFriction::find_efforts() {
   constexpr int kMost = 50;
   efforts_.setZero();
@@ -117,13 +137,12 @@ bool FollowingFriction::find_efforts() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto at = static_cast<Index>(i);
       lambda_.noalias() = multipliers_ * efforts_;
-      const Vector2d f = lines_[i].free + reaction(i, lambda_);
-      const double size = f.norm(), factor = lines_[i].per_load;
-      rest_[at] = efforts_[at] - factor * size;
+      const Matrix2d ends = lines_[i].free + pressing(i, lambda_);
+      const double factor = lines_[i].per_load;
+      rest_[at] = efforts_[at] - factor * pressing_force(ends);
       for (Index j = 0; j < newton_.cols(); ++j) {
         lambda_ = multipliers_.col(j);
-        const double change =
-            size > 0.0 ? f.dot(reaction(i, lambda_)) / size : 0.0;
+        const double change = growth_of_sizes(ends, pressing(i, lambda_));
         newton_(at, j) = (at == j ? 1.0 : 0.0) - factor * change;
       }
     }
@@ -141,17 +160,23 @@ double FollowingFriction::solve(const ForceModel& forces, ConstrainedMass& mass,
                                 ForceState& acting, VectorXd& a,
                                 VectorXd& lambda) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    lines_[i].free = reaction(i, lambda);
+    lines_[i].q = acting.elements[lines_[i].element].q;
+    lines_[i].free = pressing(i, lambda);
   }
   respond(forces, acting, mass);
-  is_self_locking_ = !contracts() || !find_efforts();
-  if (is_self_locking_) return std::numeric_limits<double>::quiet_NaN();
+  self_locking_.reset();
+  if (!contracts() || !find_efforts()) {
+    Index fastest = 0;
+    growth_.cwiseAbs().maxCoeff(&fastest);
+    self_locking_ = lines_[static_cast<std::size_t>(fastest)].element;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   a.noalias() += accelerations_ * efforts_;
   lambda.noalias() += multipliers_ * efforts_;
   double power = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const std::size_t k = lines_[i].element;
-    give_load(forces.element(k), reaction(i, lambda).norm(),
+    give_load(forces.element(k), pressing_force(pressing(i, lambda)),
               acting.elements[k]);
     power += efforts_[static_cast<Index>(i)] * acting.elements[k].rate;
   }

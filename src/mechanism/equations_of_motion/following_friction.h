@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -29,26 +30,29 @@ class FollowingFriction {
   ///   the joint jams.
   double solve(const ForceModel& forces, ConstrainedMass& mass,
                ForceState& acting, Eigen::VectorXd& a, Eigen::VectorXd& lambda);
-  /// Whether the last solve() failed so.
-  bool is_self_locking() const { return is_self_locking_; }
+  /// Element that grew fastest when the last solve() failed so.
+  std::optional<std::size_t> self_locking() const { return self_locking_; }
 
  private:
   void respond(const ForceModel& forces, const ForceState& acting,
                ConstrainedMass& mass);
   bool contracts();
   bool find_efforts();
-  Eigen::Vector2d reaction(std::size_t line,
+  /// Across the line's axis, see end_forces() [N].
+  Eigen::Matrix2d pressing(std::size_t line,
                            const Eigen::VectorXd& lambda) const;
 
   struct Line {
     std::size_t element{};
-    std::vector<int> rows;  ///< one or two of its joint, across its axis
+    std::vector<int> rows;  ///< of its joint, across its axis
+    Guide guide;
+    double q{};  ///< of the line [m] or [rad]
     double per_load{};
-    Eigen::Vector2d free = Eigen::Vector2d::Zero();  ///< reaction without [N]
+    Eigen::Matrix2d free = Eigen::Matrix2d::Zero();  ///< without friction [N]
   };
   const ConstraintSystem& system_;
   std::vector<Line> lines_;
-  bool is_self_locking_ = false;
+  std::optional<std::size_t> self_locking_;
   Eigen::MatrixXd levers_, accelerations_, multipliers_;  ///< of unit efforts
   Eigen::MatrixXd newton_;
   Eigen::VectorXd none_, Q_, a_, lambda_, efforts_, rest_, growth_;

@@ -154,11 +154,13 @@ double StickSlip::free_acceleration(std::size_t k) const {
   return constraints_.row_scale(k) * sum * std::abs(e.effort);
 }
 
-/// Judges elements at their breakaway force. Such an element stays so if it
-/// would rest even without its friction, sticks again if it accelerates against
-/// its sense, and slips otherwise.
+/// Judges elements at their breakaway force, all by the same motion: their
+/// order must not decide. Such an element stays so if it would rest even
+/// without its friction, sticks again if it accelerates against its sense, and
+/// slips otherwise, as soon as none sticks again.
 /// @return whether one changed.
 bool StickSlip::judge_lines_at_breakaway(double t, const VectorXd& y) {
+  std::vector<std::size_t> going_back, slipping;
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const int mode = forces_.element(k).modes[0];
     if (!forces_.element(k).is_dry() || std::abs(mode) != 2) continue;
@@ -170,11 +172,14 @@ bool StickSlip::judge_lines_at_breakaway(double t, const VectorXd& y) {
     const double free = line_acceleration(k);
     const bool is_held = std::abs(free) <= round_off;
     const bool goes_back = a * mode < -2.0 * round_off;
-    forces_.element(k).modes[0] = is_held ? mode : goes_back ? 0 : mode / 2;
+    forces_.element(k).modes[0] = mode;
     equations_.solve(t, y);
-    if (!is_held) return true;
+    if (!is_held) (goes_back ? going_back : slipping).push_back(k);
   }
-  return false;
+  for (const std::size_t k : going_back) forces_.element(k).modes[0] = 0;
+  if (!going_back.empty()) return true;
+  for (const std::size_t k : slipping) forces_.element(k).modes[0] /= 2;
+  return !slipping.empty();
 }
 
 double StickSlip::first_step(double t, const VectorXd& y) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "mechanism/force_laws/guide.h"
+
 namespace clevis::mechanism {
 
 enum class FrictionModel { kCoulomb, kRegularized, kLuGre };
@@ -16,6 +18,7 @@ struct FrictionLaw {
   /// Breakaway and kinetic are per newton of the joint's force across its axis:
   /// [1], or [m] where the joint turns.
   bool follows_reaction = false;
+  Guide guide;  ///< whose ends press, of a slide; follows_reaction only
 };
 
 /// Friction of a line at a speed, with derivatives: effort = load × per_load +

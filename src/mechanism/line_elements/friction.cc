@@ -31,6 +31,7 @@ class Friction final : public LineForce {
   std::optional<double> slow_stiffness(const LineAtRest& line) const override;
   bool is_dry() const override { return law_.model == FrictionModel::kCoulomb; }
   bool follows_reaction() const override { return law_.follows_reaction; }
+  Guide guide() const override { return law_.guide; }
   double breakaway_per_load() const override { return law_.breakaway; }
   double stribeck_zone() const override;
   double bristle_deflection() const override;
@@ -193,6 +194,7 @@ std::vector<ElementGuard> Friction::guards() const {
 ElementProperties properties(const FrictionLaw& law) {
   return {.type = "friction",
           .follows_reaction = law.follows_reaction,
+          .guide_length = law.guide.length,
           .friction = law.follows_reaction ? law.breakaway : 0.0};
 }
 

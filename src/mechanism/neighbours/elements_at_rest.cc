@@ -24,9 +24,12 @@ constexpr double kRoundOff = 1e-9;  // of rows of pure numbers
 constexpr double kAtRest = 1e-6;    // [m/s], [rad/s]
 
 /// What friction is proportional to: 1, or the force that it follows [N].
-double load_of(const ActingElement& element, const Instant& instant) {
+/// @param q  of its line [m] or [rad].
+double load_of(const ActingElement& element, double q, const Instant& instant) {
   const int followed = element.followed_joint();
-  return followed < 0 ? 1.0 : force_across(instant.joints[index(followed)]);
+  return followed < 0
+             ? 1.0
+             : followed_force(element, q, instant.joints[index(followed)]);
 }
 
 /// Of a unit effort on one body that nothing else holds, 1/m [1/kg]. What has
@@ -134,7 +137,7 @@ std::optional<MechanismDefinition> yielding_at_rest(
     const double sway =
         is_angle(element, definition.joints) ? kSway : kSway * frame.length;
     const auto stiffness = placed->slow_stiffness(
-        {instant.t, load_of(*placed, instant), sway, state});
+        {instant.t, load_of(*placed, state.position, instant), sway, state});
     if (!stiffness) continue;
     LineElement spring;
     spring.name = name_of(element);

@@ -14,20 +14,31 @@ namespace {
 
 constexpr double kSettled = 1e-13;  // of the largest effort
 
+/// Friction "name" of joint "name".
+std::string with_its_joint(const MechanismDefinition& definition,
+                           const ForceElement& element) {
+  const auto joint = static_cast<std::size_t>(line_of(element)->joint);
+  return fmt::format("friction {} of joint {}", name_of(element),
+                     definition.joints[joint].name);
+}
+
 }  // namespace
 
-double force_across(const JointReaction& reaction) {
-  return reaction.components().head<2>().norm();
+double followed_force(const ActingElement& element, double q,
+                      const JointReaction& reaction) {
+  return pressing_force(end_forces(element.guide(), q, reaction.components()));
 }
 
 Equilibrium::Solution balance_with_friction(
-    const ForceModel& forces, ForceState& acting, std::size_t slots,
+    const MechanismDefinition& definition, const ForceModel& forces,
+    ForceState& acting, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
         balance) {
   constexpr int kMost = 300;
   std::vector<SpatialForce> applied(slots);
   forces.add_to(acting, applied);
   Equilibrium::Solution solution = balance(applied);
+  std::size_t fastest = 0;
   for (int i = 0; i < kMost; ++i) {
     double change = 0.0, largest = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k) {
@@ -36,9 +47,12 @@ Equilibrium::Solution balance_with_friction(
       const auto& reaction = solution.joints[static_cast<std::size_t>(joint)];
       ElementResponse& element = acting.elements[k];
       const double before = element.load;
-      const double load = force_across(reaction);
+      const double load =
+          followed_force(forces.element(k), element.q, reaction);
       give_load(forces.element(k), load, element);
-      change = std::max(change, std::abs(load - before));
+      const double by = std::abs(load - before);
+      if (!(by <= change)) fastest = k;
+      change = std::max(change, by);
       largest = std::max(largest, load);
     }
     if (!std::isfinite(largest)) break;
@@ -47,9 +61,10 @@ Equilibrium::Solution balance_with_friction(
     forces.add_to(acting, applied);
     solution = balance(applied);
   }
-  throw Error("K011", "mechanism",
-              "joint friction that follows the reaction grows with it without "
-              "bound",
+  const ForceElement& element = definition.elements[fastest];
+  throw Error("K011", place_of(element),
+              with_its_joint(definition, element) +
+                  ", which follows the reaction, grows with it without bound",
               "Reduce the friction coefficient or the pin radius, or drive "
               "another joint.");
 }
@@ -73,7 +88,8 @@ bool is_open(const ActingElement& element,
   if (followed < 0) return false;
   const auto& unique =
       joints[static_cast<std::size_t>(followed)].unique_components;
-  return !unique[0] || !unique[1];
+  const bool is_guided = element.guide().length > 0.0;
+  return !unique[0] || !unique[1] || (is_guided && (!unique[3] || !unique[4]));
 }
 
 /// Whether friction at rest holds more than the reaction lets it, as the
@@ -83,7 +99,7 @@ bool exceeds_its_most(const ActingElement& element,
                       const std::vector<JointReaction>& joints) {
   constexpr double kMargin = 1e-6;
   const auto j = static_cast<std::size_t>(element.followed_joint());
-  const double load = force_across(joints[j]);
+  const double load = followed_force(element, acting.q, joints[j]);
   const double most = element.breakaway_per_load() * load;
   return std::abs(acting.effort) > (1.0 + kMargin) * most;
 }
@@ -105,6 +121,18 @@ bool exceeds_its_most(const ActingElement& element,
                       "itself.");
 }
 
+/// Whether the guide of friction that slides carries a moment of which a motion
+/// in the plane knows nothing.
+bool is_pressed_across_plane(const ActingElement& element,
+                             const ElementResponse& acting,
+                             const std::vector<JointReaction>& joints) {
+  constexpr double kOfLoad = 1e-3;
+  if (!(element.guide().length > 0.0) || element.sticks()) return false;
+  const auto j = static_cast<std::size_t>(element.followed_joint());
+  const double load = followed_force(element, acting.q, joints[j]);
+  return load - acting.load > kOfLoad * load;
+}
+
 }  // namespace
 
 void require_unique_loads(const MechanismDefinition& definition,
@@ -112,6 +140,14 @@ void require_unique_loads(const MechanismDefinition& definition,
                           const std::vector<JointReaction>& joints) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const ActingElement& element = forces.element(k);
+    if (is_pressed_across_plane(element, acting.elements[k], joints)) {
+      const ForceElement& friction = definition.elements[k];
+      throw Error(
+          "K011", place_of(friction),
+          with_its_joint(definition, friction) +
+              " has a guide that loads beside the plane of motion press",
+          "Take dimension = \"spatial\".");
+    }
     if (!is_open(element, joints)) continue;
     const bool slides = std::abs(element.modes[0]) == 1;
     const bool fails =
@@ -159,12 +195,14 @@ void refuse_friction_beside_teeth(const MechanismDefinition& definition,
   }
 }
 
-void refuse_self_locking(double t) {
-  throw Error("K011", "mechanism",
-              fmt::format("at t = {:.9g} s joint friction that follows the "
-                          "reaction jams: no friction, or more than one, fits "
-                          "the motion",
-                          t),
+void refuse_self_locking(const MechanismDefinition& definition,
+                         std::size_t element, double t) {
+  const ForceElement& jammed = definition.elements[element];
+  throw Error("K011", place_of(jammed),
+              fmt::format("at t = {:.9g} s {}, which follows the reaction, "
+                          "jams: no friction, or more than one, fits the "
+                          "motion",
+                          t, with_its_joint(definition, jammed)),
               "Reduce the friction coefficient or the pin radius; rigid "
               "bodies have no answer here.");
 }

@@ -9,8 +9,10 @@
 
 namespace clevis::mechanism {
 
-/// The force that friction of a joint follows: that across the axis z [N].
-double force_across(const JointReaction& reaction);
+/// The force that friction of a joint follows [N].
+/// @param q  of its line [m] or [rad].
+double followed_force(const ActingElement& element, double q,
+                      const JointReaction& reaction);
 
 /// Reactions and the friction that is proportional to them, at known
 /// accelerations, by iteration.
@@ -18,7 +20,8 @@ double force_across(const JointReaction& reaction);
 /// @param balance  reactions under wrenches about M by slot.
 /// @throws Error K011 if the friction does not settle.
 Equilibrium::Solution balance_with_friction(
-    const ForceModel& forces, ForceState& acting, std::size_t slots,
+    const MechanismDefinition& definition, const ForceModel& forces,
+    ForceState& acting, std::size_t slots,
     const std::function<Equilibrium::Solution(std::span<const Twist>)>&
         balance);
 
@@ -43,7 +46,9 @@ enum class MovedBy { kDrives, kForces };
 void refuse_friction_beside_teeth(const MechanismDefinition& definition,
                                   MovedBy moved_by);
 
-/// @throws Error K011, always: a joint with such friction jams. @param t  [s].
-[[noreturn]] void refuse_self_locking(double t);
+/// @throws Error K011, always: a joint with such friction jams.
+/// @param element  its friction. @param t  [s].
+[[noreturn]] void refuse_self_locking(const MechanismDefinition& definition,
+                                      std::size_t element, double t);
 
 }  // namespace clevis::mechanism

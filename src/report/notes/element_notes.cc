@@ -227,7 +227,11 @@ void add_friction(const ElementCourse& course,
 void add_overhang(const ElementCourse& course,
                   std::vector<std::string>& notes) {
   constexpr double kOfSize = 0.05, kOfLargest = 0.05;
-  if (!course.properties.follows_reaction || course.is_angle) return;
+  const auto& properties = course.properties;
+  if (!properties.follows_reaction || course.is_angle ||
+      properties.guide_length > 0.0) {
+    return;
+  }
   const auto joint =
       static_cast<std::size_t>(mechanism::line_of(course.element)->joint);
   const auto of = [&](const Instant& instant) {
@@ -250,8 +254,8 @@ void add_overhang(const ElementCourse& course,
   if (moment == 0.0) return;
   notes.push_back(fmt::format(
       "{} follows the force across joint {}, {:.4g} N, not the moment across "
-      "it, {:.4g} N m, with which {} presses at its ends: give the coefficient "
-      "that its length L makes of it, larger by 2 M/(L F)",
+      "it, {:.4g} N m, with which {} presses at its ends: give its guide = "
+      "{{ body, length }}",
       course.name(), course.definition.joints[joint].name, force, moment,
       std::isinf(longest) ? "any guide"
                           : fmt::format("a guide shorter than {:.4g} mm",

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mechanism/definition/definition.h"
+#include "scene/text/names.h"
 #include "scene/text/strict_table.h"
 
 namespace clevis::scene {
@@ -31,6 +32,7 @@ struct LineSource {
   StrictTable& table;
   const mechanism::ElementLine& line;
   const std::vector<mechanism::JointDefinition>& joints;
+  const Names& names;
 
   bool is_angle() const { return mechanism::is_angle(line, joints); }
   LineUnits units() const { return line_units(is_angle()); }

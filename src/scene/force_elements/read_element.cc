@@ -107,7 +107,7 @@ LineElement read_line_element(const ElementReader& reader, StrictTable& table,
                               const Names& names) {
   LineElement element;
   element.line = read_line(table, joints, names, reader.needs);
-  const LineSource source{table, element.line, joints};
+  const LineSource source{table, element.line, joints, names};
   element.law = reader.line_law(source);
   if (reader.may_act_in_one_sense) read_sense(table, source.units(), element);
   return element;

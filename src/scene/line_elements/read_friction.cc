@@ -1,6 +1,7 @@
 #include "scene/line_elements/read_friction.h"
 
 #include "mechanism/joints/joint_types.h"
+#include "scene/motion/read_bodies.h"
 
 namespace clevis::scene {
 namespace {
@@ -8,8 +9,21 @@ namespace {
 using mechanism::FrictionLaw;
 using mechanism::FrictionModel;
 
+/// Of a slide's own joint.
+mechanism::Guide read_guide(const mechanism::JointDefinition& joint,
+                            StrictTable guide, const Names& names) {
+  const Value name = guide["body"];
+  const auto body = find_body_or_ground(name, names);
+  if (body != joint.body_a && body != joint.body_b) {
+    throw name.refusal("S010", "is not joined by joint " + joint.name,
+                       "Name the body that has the guide.");
+  }
+  return {.length = guide["length"].positive(Dimension::kLength),
+          .is_on_b = body == joint.body_b};
+}
+
 /// Friction that follows the force of its joint: coefficients, and where the
-/// joint turns the radius of the pin.
+/// joint turns the radius of the pin, else its guide if that is known.
 void read_following(const LineSource& source, FrictionLaw& law) {
   StrictTable& table = source.table;
   const Value kinetic = table["kinetic_friction"];
@@ -31,7 +45,12 @@ void read_following(const LineSource& source, FrictionLaw& law) {
     throw kinetic.refusal("S010", "is not for bristles",
                           "Choose the model \"coulomb\" or \"regularized\".");
   }
-  if (!source.is_angle()) return;
+  if (!source.is_angle()) {
+    if (table.has("guide")) {
+      law.guide = read_guide(*joint, table.table("guide"), source.names);
+    }
+    return;
+  }
   const double radius = table["pin_radius"].positive(Dimension::kLength);
   law.kinetic *= radius;
   law.breakaway *= radius;

@@ -72,6 +72,7 @@ constexpr Key kForce[] = {"name",
                           "static_friction",
                           "kinetic_friction",
                           "pin_radius",
+                          "guide",
                           "critical_speed",
                           "target",
                           "targets",
@@ -106,6 +107,7 @@ constexpr Key kForce[] = {"name",
                           "angular_damping",
                           "axis_to",
                           "normal_to"};
+constexpr Key kGuide[] = {"body", "length"};
 constexpr Key kGasCoupling[] = {"step"};
 constexpr Key kGas[] = {"gas_constant", "specific_heat"};
 constexpr Key kGasState[] = {"pressure", "temperature"};
@@ -243,6 +245,7 @@ constexpr auto kTables = std::to_array<TableKeys>({
     {"coupling", kCoupling},
     {"drive", kDrive},
     {"force", kForce},
+    {"force.guide", kGuide},
     {"force.gas", kGas},
     {"force.coupling", kGasCoupling},
     {"force.environment", kGasState},

@@ -193,6 +193,9 @@ TEST(ElementNotes, MomentThatFrictionDoesNotFollowIsTold) {
   EXPECT_NE(slide.note().find("any guide"), std::string::npos);
   slide.definition.elements = {line(FrictionLaw{.breakaway = 0.1})};
   EXPECT_EQ(slide.note(), "");
+  slide.definition.elements = {line(FrictionLaw{
+      .breakaway = 0.1, .follows_reaction = true, .guide = {0.02, true}})};
+  EXPECT_EQ(slide.note(), "");
 }
 
 TEST(ElementNotes, GasThatIsNoneAnyMoreIsTold) {
