@@ -1,6 +1,7 @@
 #include "loads/holds/holding_groups.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -101,6 +102,26 @@ std::vector<GroupHold> held_groups(const std::vector<Seat>& seats,
   return held;
 }
 
+/// Where the groups' mean motions are: of a slide in the middle of what it
+/// touches, which its seat's point may be far from. By group, in L [m].
+std::vector<Vector3d> middles_of(const std::vector<GroupHold>& held,
+                                 const std::vector<Seat>& seats,
+                                 const std::vector<ContactZone>& zones) {
+  std::vector<Vector3d> middles;
+  for (const GroupHold& hold : held) {
+    Vector3d& middle = middles.emplace_back(hold.p_LS);
+    for (std::size_t s = 0; s < std::min(seats.size(), zones.size()); ++s) {
+      if (holder_of(seats, s) != hold.group) continue;
+      const double along = 0.5 * (zones[s].low[0] + zones[s].high[0]);
+      if (seats[s].slide && std::isfinite(along)) {
+        middle += along * seats[s].slide->along_L;
+      }
+      break;
+    }
+  }
+  return middles;
+}
+
 /// Of force elements at the part's own seats.
 const MatrixXd& sprung_of(const SeatHold& hold) {
   return hold.swinging ? hold.swinging->sprung : hold.sprung;
@@ -167,7 +188,16 @@ class HeldSpan {
 
   /// Groups in the order in which all that they stand for is held; empty: it is
   /// not in any.
-  HoldingGroups order_of(const HoldingGroups& groups) const {
+  /// @param middles  where each has its mean motion [m].
+  HoldingGroups order_of(const HoldingGroups& groups,
+                         const std::vector<Vector3d>& middles) const {
+    const auto force = [&](Index group, const Vector3d& direction) {
+      Eigen::VectorXd wrench = unit(group, true, direction);
+      const auto at = static_cast<std::size_t>(group);
+      wrench.segment<3>(kWrench * group + 3) =
+          (middles[at] - held_[at].p_LS).cross(direction) / size_;
+      return wrench;
+    };
     const Index first = index_of(groups.front());
     if (groups.size() == 1) {
       for (Index k = 0; k < kWrench; ++k) {
@@ -178,17 +208,18 @@ class HeldSpan {
       return groups;
     }
     const Index second = index_of(groups.back());
-    const Vector3d line = place(second) - place(first);
+    const Vector3d line = middles[static_cast<std::size_t>(second)] -
+                          middles[static_cast<std::size_t>(first)];
     if (!(line.norm() > kRoundOffLength)) return {};
     const Vector3d along = line.normalized();
     const Vector3d across = along.unitOrthogonal();
     // What is held along the line bends nothing.
     MatrixXd all(span_.rows(), span_.cols() + 2);
-    all << span_, unit(first, true, along), unit(second, true, along);
+    all << span_, force(first, along), force(second, along);
     const MatrixXd span = column_space(all, kRoundOff);
     for (const Index group : {first, second}) {
-      if (!holds(span, unit(group, true, across)) ||
-          !holds(span, unit(group, true, along.cross(across)))) {
+      if (!holds(span, force(group, across)) ||
+          !holds(span, force(group, along.cross(across)))) {
         return {};
       }
     }
@@ -203,10 +234,6 @@ class HeldSpan {
   Index index_of(const std::string& group) const {
     return std::ranges::find(held_, group, &GroupHold::group) - held_.begin();
   }
-  const Vector3d& place(Index group) const {
-    return held_[static_cast<std::size_t>(group)].p_LS;
-  }
-
   /// A force or a moment on a group.
   Eigen::VectorXd unit(Index group, bool is_force,
                        const Vector3d& direction) const {
@@ -228,7 +255,8 @@ class HeldSpan {
 PartHold hold_of(const std::vector<Seat>& seats, const SeatHold& hold,
                  const HoldingGroups& groups) {
   auto held = held_groups(seats, hold.held);
-  auto order = HeldSpan(held).order_of(groups);
+  auto order =
+      HeldSpan(held).order_of(groups, middles_of(held, seats, hold.zones));
   if (!order.empty()) return {std::move(order)};
   return {groups, std::move(held)};
 }
@@ -333,27 +361,28 @@ bool is_redundant(const std::vector<GroupHold>& held) {
 std::vector<HoldingGroups> holding_groups(const LoadHistory& history) {
   if (!history.hold) return pairs_of(bearing_groups(history));
   constexpr double kNearest = 1e-3;  // of the size: no line between them
-  std::vector<GroupHold> holds =
-      holds_of(history.seats, history.hold(history.hold_time).held);
+  const SeatHold hold = history.hold(history.hold_time);
+  std::vector<GroupHold> holds = holds_of(history.seats, hold.held);
   std::ranges::sort(holds, {}, &GroupHold::group);
+  const auto middles = middles_of(holds, history.seats, hold.zones);
   const double size = size_of(history.seats);
   std::vector<HoldingGroups> found;
-  for (auto one = holds.begin(); one != holds.end(); ++one) {
-    for (auto other = std::next(one); other != holds.end(); ++other) {
-      const Vector3d line = other->p_LS - one->p_LS;
-      if (line.norm() > kNearest * size && holds_across(*one, line) &&
-          holds_across(*other, line)) {
-        found.push_back({one->group, other->group});
+  for (std::size_t one = 0; one < holds.size(); ++one) {
+    for (std::size_t other = one + 1; other < holds.size(); ++other) {
+      const Vector3d line = middles[other] - middles[one];
+      if (line.norm() > kNearest * size && holds_across(holds[one], line) &&
+          holds_across(holds[other], line)) {
+        found.push_back({holds[one].group, holds[other].group});
       }
     }
   }
   if (!found.empty()) return found;
   HoldingGroups some;
-  for (const GroupHold& hold : holds) {
-    if (!holds_place(hold)) continue;
-    some.push_back(hold.group);
-    if (holds_all(with_rest_of_others(hold, holds))) {
-      found.push_back({hold.group});
+  for (const GroupHold& one : holds) {
+    if (!holds_place(one)) continue;
+    some.push_back(one.group);
+    if (holds_all(with_rest_of_others(one, holds))) {
+      found.push_back({one.group});
     }
   }
   return found.empty() ? pairs_of(some) : found;

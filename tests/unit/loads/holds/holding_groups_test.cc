@@ -202,5 +202,36 @@ TEST(HoldingGroups, OfCasesEachTwoBearingSeats) {
             (Groups{{"a", "b"}, {"a", "c"}, {"b", "c"}}));
 }
 
+/// A ball at A, and on B a slide whose wall has its middle at B's point: a
+/// guide touches it so far behind that, and turns about a pin so far.
+LoadHistory in_a_guide(double touched, double pin) {
+  MatrixXd held = unit({0, 1, 2, 3, 13, 14});
+  held(17, 4) = pin;   // y at an arm along x
+  held(16, 5) = -pin;  // z
+  LoadHistory history = lever(held);
+  history.seats[2].slide = SlideWall{};
+  history.hold = [held, touched](double) {
+    SeatHold hold{.held = held};
+    hold.zones.resize(3);
+    hold.zones[2].low[0] = touched - 0.005;
+    hold.zones[2].high[0] = touched + 0.005;
+    return hold;
+  };
+  return history;
+}
+
+// Its mean motion is that of what is touched: the wall's middle is no place.
+TEST(HoldAt, ASlideHoldsByItselfWhereItTouches) {
+  const HoldingGroups groups{"bore_A", "bore_B"};
+  EXPECT_TRUE(hold_at(in_a_guide(0.0, 0.0), groups, 0.0).held.empty());
+  EXPECT_TRUE(hold_at(in_a_guide(0.05, 0.05), groups, 0.0).held.empty());
+  EXPECT_FALSE(hold_at(in_a_guide(0.05, 0.0), groups, 0.0).held.empty());
+  EXPECT_FALSE(hold_at(in_a_guide(0.0, 0.05), groups, 0.0).held.empty());
+  // A wall with its middle at the ball, of which other places are touched.
+  LoadHistory about_the_ball = in_a_guide(0.05, 0.05);
+  about_the_ball.seats[2].p_LS.setZero();
+  EXPECT_EQ(holding_groups(about_the_ball), Groups{groups});
+}
+
 }  // namespace
 }  // namespace clevis::loads
