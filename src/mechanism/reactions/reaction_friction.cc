@@ -140,6 +140,14 @@ void require_unique_loads(const MechanismDefinition& definition,
                           const std::vector<JointReaction>& joints) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const ActingElement& element = forces.element(k);
+    if (is_open(element, joints)) {
+      const bool slides = std::abs(element.modes[0]) == 1;
+      const bool fails =
+          slides || (element.is_dry() &&
+                     exceeds_its_most(element, acting.elements[k], joints));
+      if (fails) refuse_open_load(definition, forces, k);
+      continue;
+    }
     if (is_pressed_across_plane(element, acting.elements[k], joints)) {
       const ForceElement& friction = definition.elements[k];
       throw Error(
@@ -148,12 +156,6 @@ void require_unique_loads(const MechanismDefinition& definition,
               " has a guide that loads beside the plane of motion press",
           "Take dimension = \"spatial\".");
     }
-    if (!is_open(element, joints)) continue;
-    const bool slides = std::abs(element.modes[0]) == 1;
-    const bool fails =
-        slides || (element.is_dry() &&
-                   exceeds_its_most(element, acting.elements[k], joints));
-    if (fails) refuse_open_load(definition, forces, k);
   }
 }
 
