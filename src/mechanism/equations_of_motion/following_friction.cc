@@ -49,7 +49,8 @@ FollowingFriction::FollowingFriction(const ForceModel& forces,
     Line line{.element = k, .rows = {}, .guide = forces.element(k).guide()};
     for (int i = 0; i < system.joint_rows(); ++i) {
       const auto& row = system.row_list()[static_cast<std::size_t>(i)];
-      const bool is_across = is_force(row) || is_moment(row);
+      const bool is_across =
+          is_force(row) || (line.guide.length > 0.0 && is_moment(row));
       if (row.joint == joint && row.coupling < 0 && is_across) {
         line.rows.push_back(i);
       }

@@ -88,14 +88,19 @@ TEST(JointFriction, SlideRestsWhereTheSlopeIsGentle) {
               0.5 * kG * (std::sin(angle) - 0.2 * std::cos(angle)), 1e-8);
 }
 
-TEST(JointFriction, DriveOfASlidePaysForIt) {
-  constexpr double angle = 0.5, mu = 0.15;
-  MechanismDefinition m = on_a_slope(angle, 0.0, following(mu, mu));
+/// The drive of slide 0 pushes it on by 0.3 m in 1 s.
+DriveDefinition pushing() {
   DriveDefinition drive;
   drive.law = DriveLaw::kQuintic;
   drive.to = 0.3;
   drive.duration = 1.0;
-  m.drives = {drive};
+  return drive;
+}
+
+TEST(JointFriction, DriveOfASlidePaysForIt) {
+  constexpr double angle = 0.5, mu = 0.15;
+  MechanismDefinition m = on_a_slope(angle, 0.0, following(mu, mu));
+  m.drives = {pushing()};
   const Motion motion = simulate(m, settings(1.0, 11));
   ASSERT_FALSE(motion.integration);
   for (int i = 1; i < 10; ++i) {
@@ -120,15 +125,6 @@ FrictionLaw guided(double mu, const Guide& guide) {
   FrictionLaw law = following(mu, mu);
   law.guide = guide;
   return law;
-}
-
-/// The drive of slide 0 pushes it on by 0.3 m in 1 s.
-DriveDefinition pushing() {
-  DriveDefinition drive;
-  drive.law = DriveLaw::kQuintic;
-  drive.to = 0.3;
-  drive.duration = 1.0;
-  return drive;
 }
 
 // Both ends of a guide of length L press where the weight hangs e before its
